@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "core/base/error.hpp"
+
+namespace planum {
+
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, std::string_view doing, int problem) {
+    throw Error(ErrorCode::Io, fmt::format("{}: {}: {}", file.string(), doing, std::strerror(problem)));
+}
+
+void write_all(int descriptor, std::string_view bytes, const std::filesystem::path& file) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail(file, "writing", errno);
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::fsync(descriptor) != 0) fail(file, "writing to disk", errno);
+}
+
+} // namespace
+
+std::string read_file(const std::filesystem::path& file, std::uintmax_t limit) {
+    std::error_code problem;
+    if (!std::filesystem::exists(file, problem)) {
+        throw Error(ErrorCode::NotFound, file.string() + ": no such file");
+    }
+    if (!std::filesystem::is_regular_file(file, problem)) {
+        throw Error(ErrorCode::BadInput, file.string() + ": not an ordinary file");
+    }
+    const std::uintmax_t size = std::filesystem::file_size(file, problem);
+    if (size > limit) {
+        throw Error(ErrorCode::BadInput, fmt::format("{}: {} MB, more than the {} MB that such a file may have",
+                                                     file.string(), size / 1000000, limit / 1000000));
+    }
+    std::ifstream in(file, std::ios::binary);
+    if (!in) fail(file, "opening", errno);
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(size));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    if (in.bad()) fail(file, "reading", errno);
+    return bytes;
+}
+
+void write_file_atomically(const std::filesystem::path& file, std::string_view bytes) {
+    const std::filesystem::path temporary = file.string() + fmt::format(".{}.part", ::getpid());
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail(file, "cannot be written", errno);
+    try {
+        write_all(descriptor, bytes, file);
+    } catch (...) {
+        ::close(descriptor);
+        ::unlink(temporary.c_str());
+        throw;
+    }
+    if (::close(descriptor) != 0 || std::rename(temporary.c_str(), file.c_str()) != 0) {
+        const int problem = errno;
+        ::unlink(temporary.c_str());
+        fail(file, "cannot be written", problem);
+    }
+}
+
+} // namespace planum

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""Runs one .case file (see run_cases.sh) in the folder given; UPDATE=1 in the caller rewrites it."""
+import os
+import re
+import subprocess
+import sys
+
+
+def matches(expected, actual):
+    if "{ANY}" not in expected:
+        return expected == actual
+    return re.fullmatch(".*".join(re.escape(p) for p in expected.split("{ANY}")), actual) is not None
+
+
+def main():
+    case, work = sys.argv[1], sys.argv[2]
+    steps, comments = [], []
+    with open(case, encoding="utf-8") as lines:
+        for line in lines.read().splitlines():
+            if line.startswith("##"):
+                comments.append(line)
+            elif line.startswith("$ "):
+                steps.append((line[2:], []))
+            elif steps:
+                steps[-1][1].append(line)
+    good = True
+    for command, expected in steps:
+        run = subprocess.run(["/bin/bash", "-c", command], cwd=work, stdin=subprocess.DEVNULL,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, timeout=300)
+        actual = run.stdout.decode("utf-8", "replace").splitlines()
+        if run.returncode != 0:
+            actual.append("[%d]" % run.returncode)
+        while expected and expected[-1] == "":
+            expected = expected[:-1]
+        while actual and actual[-1] == "":
+            actual = actual[:-1]
+        if len(expected) != len(actual) or not all(map(matches, expected, actual)):
+            good = False
+            print("FAILED %s\n$ %s" % (os.path.basename(case), command))
+            print("  expected:\n    " + "\n    ".join(expected))
+            print("  printed:\n    " + "\n    ".join(actual))
+    return 0 if good and steps else 1
+
+
+sys.exit(main())

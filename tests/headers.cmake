@@ -1,0 +1,18 @@
+# Every header compiles alone: one tiny file a header, compiled, never linked.
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
+  ${PROJECT_SOURCE_DIR}/core/*.hpp ${PROJECT_SOURCE_DIR}/strat/*.hpp ${PROJECT_SOURCE_DIR}/scans/*.hpp
+  ${PROJECT_SOURCE_DIR}/app/*.hpp ${PROJECT_SOURCE_DIR}/paint/*.hpp ${PROJECT_SOURCE_DIR}/cli/*.hpp)
+set(header_sources "")
+foreach(header IN LISTS headers)
+  string(MAKE_C_IDENTIFIER ${header} id)
+  set(source ${PROJECT_BINARY_DIR}/headers/${id}.cpp)
+  if(NOT EXISTS ${source})
+    file(WRITE ${source} "#include \"${header}\"\n")
+  endif()
+  list(APPEND header_sources ${source})
+endforeach()
+add_library(planum_headers_alone OBJECT ${header_sources})
+target_link_libraries(planum_headers_alone PRIVATE planum_flags planum_third_fmt planum_third_eigen
+  planum_third_qtgui planum_third_json)
+# Only whether they compile is asked, so do not spend time on code.
+target_compile_options(planum_headers_alone PRIVATE -O0)
