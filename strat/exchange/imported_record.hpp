@@ -39,6 +39,7 @@ struct StatedRelation {
     bool correlation = false;
     model::StatementSide side = model::StatementSide::Subject; ///< on whose sheet it was written
     std::string person;
+    std::string file;      ///< name of the file it stands in; empty: the first file of the set
     std::int64_t line = 0; ///< from 1; 0 unknown
     std::string raw_text;
 };

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "app/records/field_table.hpp"
+
+namespace planum::app {
+
+namespace {
+
+constexpr const char* kMethods = "stratigraphic, planum, mixed";
+
+std::vector<Field<model::Area>> area_fields() {
+    using A = model::Area;
+    return {text_field<A>("title", "name in full", &A::title),
+            word_field<A>("method", "how it is dug", &A::method, model::dig_method_from_word, kMethods),
+            text_field<A>("first-number", "first unit number issued to it", &A::first_number),
+            text_field<A>("last-number", "last unit number issued to it", &A::last_number)};
+}
+
+std::vector<Field<model::Surface>> surface_fields() {
+    using S = model::Surface;
+    std::vector<Field<S>> fields = {
+        named_field<S, model::Area>("area", "trench", &S::area, &model::Record::areas, &model::Area::name),
+        word_field<S>("method", "how it was made", &S::method, model::dig_method_from_word, kMethods),
+        date_field<S>("first-day", "first day", &S::first_day), date_field<S>("last-day", "last day", &S::last_day)};
+    fields.push_back({{"order", "place in time among the surfaces of its area"},
+                      [](const S& surface, Project&) { return fmt::format("{}", surface.order); },
+                      [](S& surface, const std::string& text, Project&) {
+                          surface.order = integer_from("order", text).value_or(0);
+                      }});
+    return fields;
+}
+
+} // namespace
+
+void add_place_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds) {
+    using model::Record;
+    kinds.push_back(std::make_unique<NamedKind<model::Area>>("area", &Record::areas, &model::Area::name, area_fields()));
+    kinds.push_back(std::make_unique<NamedKind<model::Surface>>("surface", &Record::surfaces, &model::Surface::name,
+                                                                surface_fields()));
+}
+
+} // namespace planum::app

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "app/records/relation_entry.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "strat/matrix/harris_matrix.hpp"
+
+namespace planum::app {
+
+using model::RelationKind;
+using model::StatementSide;
+
+SaidRelation parse_relation(Project& project, std::string_view sentence) {
+    std::vector<std::string> words;
+    for (const std::string_view word : text::split(text::trim(sentence), ' ')) {
+        if (!word.empty()) words.emplace_back(word);
+    }
+    if (words.size() < 3) {
+        throw Error(ErrorCode::Usage, fmt::format("a relation is UNIT RELATION UNIT, as in 1042 cuts 1017, not {}", sentence));
+    }
+    const std::string first = words.front();
+    const std::string last = words.back();
+    words.erase(words.begin());
+    words.pop_back();
+    const std::string said_kind = text::join(words, " ");
+    const auto meaning = model::relation_from_any_word(said_kind);
+    if (!meaning) {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{} is no relation; known are covers, cuts, fills, abuts (and covered by, …), bonds_with, "
+                                "same_as, borders, later, earlier, contemporary, in English, German, Italian and French",
+                                said_kind));
+    }
+    std::size_t a = project.unit_named(first);
+    std::size_t b = project.unit_named(last);
+    SaidRelation said;
+    said.kind = meaning->kind;
+    if (meaning->inverse) {
+        std::swap(a, b);
+        said.side = StatementSide::Object;
+    }
+    const auto& units = project.record().units;
+    if (model::is_symmetric(said.kind) && text::natural_order(units[b].number, units[a].number) < 0) {
+        std::swap(a, b);
+        said.side = StatementSide::Object;
+    }
+    said.subject = units[a].id;
+    said.object = units[b].id;
+    return said;
+}
+
+std::string add_relation(Project& project, const RelationEntry& entry, std::string_view as_written) {
+    const SaidRelation& said = entry.said;
+    model::RelationStatement statement;
+    statement.side = said.side;
+    statement.person = project.author();
+    statement.raw_text = std::string(as_written);
+    statement.stated_at = project.clock().now();
+    for (const model::PhysicalRelation& relation : project.record().relations) {
+        if (relation.subject == said.subject && relation.kind == said.kind && relation.object == said.object) {
+            statement.relation = relation.id;
+        }
+    }
+    const std::string name = fmt::format("{} {} {}", project.index().name(said.subject), to_word(said.kind),
+                                         project.index().name(said.object));
+    project.change("Add relation " + name, [&] {
+        if (statement.relation.is_nil()) {
+            model::PhysicalRelation relation;
+            relation.subject = said.subject;
+            relation.kind = said.kind;
+            relation.object = said.object;
+            relation.certainty = entry.certainty;
+            relation.correlation = entry.correlation;
+            statement.relation = project.file().insert(relation);
+        }
+        project.file().insert(statement);
+    });
+    return name;
+}
+
+std::vector<model::UnitId> would_close_cycle(Project& project, const SaidRelation& relation) {
+    if (model::time_meaning(relation.kind) != model::TimeMeaning::SubjectLater) return {};
+    const auto& record = project.record();
+    const auto matrix = strat::HarrisMatrix::build(record);
+    const auto later = matrix.node_of(project.index().find(relation.subject));
+    const auto earlier = matrix.node_of(project.index().find(relation.object));
+    if (later == earlier) return {relation.subject};
+    if (!matrix.is_later(earlier, later)) return {};
+    std::vector<model::UnitId> cycle = {relation.subject};
+    for (const std::uint32_t order : matrix.shortest_path(earlier, later)) {
+        cycle.push_back(record.units[matrix.members(matrix.orders()[order].later).front()].id);
+    }
+    return cycle;
+}
+
+} // namespace planum::app
