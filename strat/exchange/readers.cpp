@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "strat/exchange/readers.hpp"
+
+#include <array>
+
+namespace planum::strat {
+
+std::span<const Reader> all_readers() {
+    static const std::array readers = {
+        lst_reader(),
+    };
+    return readers;
+}
+
+} // namespace planum::strat

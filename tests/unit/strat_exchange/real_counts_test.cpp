@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Reads the real matrices and counts what came out with sets of names, against the counts that an
+// independent program made of the same files.
+#include "tests/support/catch.hpp"
+#include "tests/support/real_data.hpp"
+#include "tests/unit/strat_exchange/support.hpp"
+
+using namespace planum;
+using test::Counts;
+
+namespace {
+
+struct RealSet {
+    std::string_view path;
+    std::string_view format;
+    Counts counts; ///< units, orders, same-as, contemporary, self, mutual, isolated
+};
+
+// From the table in the README beside the data.
+const RealSet kRealSets[] = {
+    {"arkmatrix/bonn.lst", "lst", {19, 26, 0, 0, 0, 0, 0}},
+    {"arkmatrix/stratify.lst", "lst", {17, 17, 0, 0, 0, 0, 0}},
+    {"arkmatrix/cycle.lst", "lst", {7, 10, 0, 0, 1, 1, 0}},
+    {"arkmatrix/reduce.lst", "lst", {6, 7, 0, 0, 0, 0, 0}},
+};
+
+} // namespace
+
+TEST_CASE("Real matrices are read with the counts of an independent program") {
+    for (const RealSet& set : kRealSets) {
+        INFO(set.path);
+        const auto path = test::real_data("matrix/" + std::string{set.path});
+        if (!path) continue;
+        const auto files = test::load_folder(*path);
+        CHECK(test::format_of(files) == set.format);
+        CHECK(test::to_text(test::counts_of(test::read_all(files).values)) == test::to_text(set.counts));
+    }
+}
