@@ -8,6 +8,8 @@ namespace planum::strat {
 std::span<const Reader> all_readers() {
     static const std::array readers = {
         lst_reader(),
+        hmcx_reader(),
+        hmc_csv_reader(),
     };
     return readers;
 }

@@ -22,6 +22,9 @@ const RealSet kRealSets[] = {
     {"arkmatrix/stratify.lst", "lst", {17, 17, 0, 0, 0, 0, 0}},
     {"arkmatrix/cycle.lst", "lst", {7, 10, 0, 0, 1, 1, 0}},
     {"arkmatrix/reduce.lst", "lst", {6, 7, 0, 0, 0, 0, 0}},
+    {"hmc/Sector_D.matrix.xml", "hmcx", {234, 304, 0, 7, 0, 0, 0}},
+    {"hmc/demo.matrix.xml", "hmcx", {16, 20, 0, 2, 0, 0, 0}},
+    {"hmc/ulm-eggingen", "hmc-csv", {110, 192, 0, 26, 0, 0, 0}},
 };
 
 } // namespace
