@@ -27,7 +27,7 @@ struct ImportedUnit {
     std::string period; ///< number of a Period
     UnitName parent;    ///< the feature it is part of; empty number: none
     std::int64_t line = 0;
-    std::string file; ///< name without folders; empty: the only file that was read
+    std::string file; ///< name of the file it stands in; empty: the first file of the set
 };
 
 /// One statement of one relation, already read from the younger side: `subject kind object`. The merge
@@ -43,7 +43,6 @@ struct StatedRelation {
     std::string file;      ///< name of the file it stands in; empty: the first file of the set
     std::int64_t line = 0; ///< from 1; 0 unknown
     std::string raw_text;
-    std::string file; ///< name without folders; empty: the only file that was read
 };
 
 struct ImportedPhase {
