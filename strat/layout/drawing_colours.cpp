@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/drawing_colours.hpp"
+
+#include <cmath>
+
+namespace planum::strat {
+
+namespace {
+
+Colour fill_of(BoxShape shape) noexcept {
+    switch (shape) {
+    case BoxShape::Deposit: return 0xf7f0de;
+    case BoxShape::Cut: return 0xffffff;
+    case BoxShape::Structure: return 0xeadfd8;
+    case BoxShape::Interface: return 0xeaf1f6;
+    case BoxShape::Feature: return 0xe8f0e4;
+    case BoxShape::Skeleton: return 0xf6e9ee;
+    case BoxShape::Natural: return 0xe0d6bf;
+    case BoxShape::Void: return 0xf3f3f3;
+    case BoxShape::Unknown: return 0xffffff;
+    case BoxShape::Folded: return 0xebeef2;
+    }
+    return kPaper;
+}
+
+Colour colour_of(Mark mark) noexcept {
+    switch (mark) {
+    case Mark::None: return kLineInk;
+    case Mark::Added: return 0x24793b;
+    case Mark::Removed: return 0x8d8778;
+    case Mark::Changed: return 0x1f5fa8;
+    case Mark::Problem: return 0xc65d00;
+    }
+    return kLineInk;
+}
+
+} // namespace
+
+DashPattern pattern_of(Dash dash) noexcept {
+    switch (dash) {
+    case Dash::Solid: return {};
+    case Dash::Dashed: return {4.0, 2.5};
+    case Dash::Dotted: return {1.0, 2.0};
+    }
+    return {};
+}
+
+BoxStyle style_of(const DrawnBox& box) noexcept {
+    BoxStyle style;
+    style.fill = fill_of(box.shape);
+    if (box.mentioned_only) style.stroke.dash = Dash::Dashed;
+    if (box.mark != Mark::None) {
+        style.stroke.colour = colour_of(box.mark);
+        style.stroke.width = 1.6;
+        if (box.mark == Mark::Removed) style.stroke.dash = Dash::Dotted;
+    }
+    if (box.in_cycle) {
+        style.stroke.colour = kAlarm;
+        style.stroke.width = 1.4;
+        style.text = kAlarm;
+    }
+    return style;
+}
+
+StrokeStyle style_of(const DrawnLine& line) noexcept {
+    StrokeStyle style;
+    if (line.mark != Mark::None) {
+        style.colour = colour_of(line.mark);
+        style.width = 1.4;
+    }
+    if (line.in_cycle || line.upwards) {
+        style.colour = kAlarm;
+        style.width = 1.1;
+    }
+    if (line.uncertain) style.dash = Dash::Dashed;
+    if (line.through || line.mark == Mark::Removed) style.dash = Dash::Dotted;
+    return style;
+}
+
+std::vector<DrawPoint> finds_mark(const DrawRect& box) {
+    constexpr double kSize = 5.0;
+    return {{box.right() - kSize, box.y}, {box.right(), box.y}, {box.right(), box.y + kSize}};
+}
+
+std::vector<DrawPoint> arrow_head(const DrawnLine& line) {
+    if (!line.upwards) return {};
+    double longest = 0.0;
+    DrawPoint middle;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const DrawPoint& a = line.points[i - 1];
+        const DrawPoint& b = line.points[i];
+        const double up = a.y - b.y;
+        if (up <= longest || std::abs(a.x - b.x) > up) continue;
+        longest = up;
+        middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
+    }
+    if (longest <= 0.0) return {};
+    constexpr double kHalf = 2.6;
+    return {{middle.x, middle.y - kHalf}, {middle.x + kHalf, middle.y + kHalf}, {middle.x - kHalf, middle.y + kHalf}};
+}
+
+} // namespace planum::strat

@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/drawn_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/base/text.hpp"
+#include "strat/layout/drawing_style.hpp"
+#include "strat/layout/graph_selection.hpp"
+
+namespace planum::strat {
+
+namespace {
+
+using model::UnitIndex;
+using model::UnitKind;
+
+BoxShape shape_of(const model::StratigraphicUnit& unit) {
+    switch (unit.kind) {
+    case UnitKind::Unknown: return BoxShape::Unknown;
+    case UnitKind::Deposit: return BoxShape::Deposit;
+    case UnitKind::Cut: return BoxShape::Cut;
+    case UnitKind::Feature: return BoxShape::Feature;
+    case UnitKind::Structure: return BoxShape::Structure;
+    case UnitKind::Interface: return BoxShape::Interface;
+    case UnitKind::Skeleton: return BoxShape::Skeleton;
+    case UnitKind::Natural: return BoxShape::Natural;
+    case UnitKind::Void: return BoxShape::Void;
+    }
+    return BoxShape::Unknown;
+}
+
+bool names_topsoil(const model::StratigraphicUnit& unit) {
+    constexpr std::array<std::string_view, 8> kWords = {"topsoil",   "turf",       "oberboden", "mutterboden",
+                                                        "ackerkrume", "humus sup", "terre végétale", "plough soil"};
+    const std::string title = text::fold_case(unit.title);
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](std::string_view word) { return title.find(word) != std::string::npos; });
+}
+
+// At most three lines; what does not fit ends in an ellipsis.
+std::vector<std::string> broken_title(const std::string& title, const TextMeasure& measure) {
+    constexpr std::size_t kMaxLines = 3;
+    std::vector<std::string> lines;
+    std::string line;
+    for (const std::string_view word : text::split(title, ' ')) {
+        if (word.empty()) continue;
+        const std::string longer = line.empty() ? std::string(word) : line + " " + std::string(word);
+        if (line.empty() || measure.width(longer, style::kTextSize, FontWeight::Regular) <= style::kBoxMaxLabel) {
+            line = longer;
+            continue;
+        }
+        lines.push_back(std::move(line));
+        line = word;
+        if (lines.size() == kMaxLines) {
+            lines.back() += " …";
+            return lines;
+        }
+    }
+    if (!line.empty()) lines.push_back(std::move(line));
+    return lines;
+}
+
+// `12 = 15 = 20`, broken where a line grows too wide.
+std::vector<std::string> joined_names(const std::vector<std::string>& names, const TextMeasure& measure) {
+    std::vector<std::string> lines = {names.front()};
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        const std::string longer = lines.back() + " = " + names[i];
+        if (measure.width(longer, style::kTextSize, FontWeight::Regular) <= style::kBoxMaxLabel) {
+            lines.back() = longer;
+        } else {
+            lines.push_back("= " + names[i]);
+        }
+    }
+    return lines;
+}
+
+void size_box(DrawnBox& box, const TextMeasure& measure) {
+    double widest = 0.0;
+    for (const std::string& line : box.lines) {
+        box.line_widths.push_back(measure.width(line, box.text_size, FontWeight::Regular));
+        widest = std::max(widest, box.line_widths.back());
+    }
+    box.rect.width = std::max(style::kBoxMinWidth, widest + 2.0 * style::kBoxPadding);
+    box.rect.height = style::kBoxHeight + style::kLineHeight * static_cast<double>(box.lines.size() - 1);
+}
+
+class GraphMaker {
+  public:
+    explicit GraphMaker(const LayoutRequest& request)
+        : request_(request), record_(request.record), index_(record_), selection_(select(request)) {}
+
+    DrawnGraph make() {
+        collect_units();
+        graph_.boxes.resize(selection_.box_count);
+        for (std::uint32_t b = 0; b < selection_.box_count; ++b) fill_box(b);
+        make_ids_unique();
+        make_orders();
+        make_contemporaries();
+        choose_bands();
+        choose_groups();
+        place_previous();
+        describe();
+        return std::move(graph_);
+    }
+
+  private:
+    void collect_units() {
+        units_.resize(selection_.box_count);
+        for (NodeIndex node = 0; node < request_.matrix.node_count(); ++node) {
+            const std::uint32_t box = selection_.box_of[node];
+            if (box == Selection::kLeftOut) continue;
+            for (const UnitIndex unit : request_.matrix.members(node)) units_[box].push_back(unit);
+        }
+        for (const model::Find& find : record_.finds) with_finds_.insert(find.unit);
+        for (const UnitMark& mark : request_.options.marks) unit_marks_.emplace(mark.unit, mark.mark);
+    }
+
+    void fill_box(std::uint32_t b) {
+        GraphBox& out = graph_.boxes[b];
+        DrawnBox& box = out.box;
+        out.units = units_[b];
+        const model::StratigraphicUnit& first = record_.units[out.units.front()];
+        out.name = index_.name(out.units.front());
+        box.mentioned_only = true;
+        std::vector<std::string> names;
+        for (const UnitIndex u : out.units) {
+            const model::StratigraphicUnit& unit = record_.units[u];
+            box.units.push_back(unit.id);
+            names.push_back(index_.name(u));
+            box.has_finds = box.has_finds || with_finds_.contains(unit.id);
+            box.mentioned_only = box.mentioned_only && unit.origin == model::UnitOrigin::Mentioned;
+            if (box.shape == BoxShape::Unknown) box.shape = shape_of(unit);
+            out.on_top = out.on_top || names_topsoil(unit);
+            const auto mark = unit_marks_.find(unit.id);
+            if (mark != unit_marks_.end()) box.mark = std::max(box.mark, mark->second);
+        }
+        if (selection_.folded[b] >= 0) {
+            fold_box(out, static_cast<std::size_t>(selection_.folded[b]));
+        } else {
+            box.id = xml_id("unit-", out.name);
+            box.lines = joined_names(names, request_.text);
+            box.title = text::join(names, " = ");
+            if (!first.title.empty()) box.title += ": " + first.title;
+            if (request_.options.labels == Labels::NumbersAndTitles && !first.title.empty()) {
+                for (std::string& line : broken_title(first.title, request_.text)) box.lines.push_back(std::move(line));
+            }
+            if (!request_.options.unit_link.empty()) {
+                box.link = text::replace_all(request_.options.unit_link, "{}", first.number);
+            }
+        }
+        out.at_bottom = box.shape == BoxShape::Natural;
+        size_box(box, request_.text);
+    }
+
+    void fold_box(GraphBox& out, std::size_t key) {
+        DrawnBox& box = out.box;
+        std::string number;
+        std::string title;
+        switch (request_.options.fold) {
+        case Fold::None: break;
+        case Fold::Phases: number = record_.phases[key].number; title = record_.phases[key].title; break;
+        case Fold::Periods: number = record_.periods[key].number; title = record_.periods[key].title; break;
+        case Fold::Groups: number = record_.groups[key].number; title = record_.groups[key].title; break;
+        }
+        box.shape = BoxShape::Folded;
+        box.mentioned_only = false;
+        box.id = xml_id("folded-", number);
+        out.name = number;
+        box.lines = broken_title(title.empty() || title == number ? number : number + " " + title, request_.text);
+        if (box.lines.empty()) box.lines.emplace_back("?");
+        const std::size_t count = out.units.size();
+        box.lines.push_back(fmt::format("{} {}", count, count == 1 ? "unit" : "units"));
+        box.title = fmt::format("{} {}: {} {}", number, title, count, count == 1 ? "unit" : "units");
+    }
+
+    // Two areas may have names that give one id only if the record itself is damaged; a drawing must be
+    // valid all the same.
+    void make_ids_unique() {
+        std::unordered_map<std::string, int> used;
+        for (GraphBox& b : graph_.boxes) {
+            const int before = used[b.box.id]++;
+            if (before > 0) b.box.id += fmt::format("..{}", before + 1);
+        }
+    }
+
+    void make_orders() {
+        std::map<std::pair<model::UnitId, model::UnitId>, Mark> marks;
+        for (const OrderMark& m : request_.options.order_marks) marks.emplace(std::pair{m.later, m.earlier}, m.mark);
+        graph_.orders.reserve(selection_.pairs.size());
+        for (GraphBox& b : graph_.boxes) b.box.isolated = true;
+        for (const Selection::Pair& pair : selection_.pairs) {
+            GraphOrder order{pair.later, pair.earlier, {}};
+            DrawnLine& line = order.line;
+            line.later = pair.later;
+            line.earlier = pair.earlier;
+            line.in_cycle = pair.in_cycle;
+            line.through = pair.through;
+            explain(line);
+            for (const UnitIndex u : units_[pair.later]) {
+                for (const UnitIndex v : units_[pair.earlier]) {
+                    if (marks.empty()) break;
+                    const auto mark = marks.find({record_.units[u].id, record_.units[v].id});
+                    if (mark != marks.end()) line.mark = std::max(line.mark, mark->second);
+                }
+            }
+            for (const std::uint32_t end : {pair.later, pair.earlier}) {
+                DrawnBox& box = graph_.boxes[end].box;
+                box.isolated = false;
+                box.in_cycle = box.in_cycle || pair.in_cycle;
+            }
+            graph_.orders.push_back(std::move(order));
+        }
+    }
+
+    // Why an order holds: the kinds and the certainty of its relations.
+    void explain(DrawnLine& line) {
+        const GraphBox& later = graph_.boxes[line.later];
+        const GraphBox& earlier = graph_.boxes[line.earlier];
+        line.id = "order-" + later.box.id + "--" + earlier.box.id;
+        std::vector<model::RelationKind> kinds;
+        bool certain = false;
+        const NodeIndex from = request_.matrix.node_of(units_[line.later].front());
+        const NodeIndex to = request_.matrix.node_of(units_[line.earlier].front());
+        const std::size_t order = request_.matrix.find_order(from, to);
+        const bool folded = later.box.shape == BoxShape::Folded || earlier.box.shape == BoxShape::Folded;
+        if (folded || order == HarrisMatrix::npos) {
+            line.title = fmt::format("{} is later than {}", later.name, earlier.name);
+            line.kind = "later";
+            return;
+        }
+        for (const RelationIndex r : request_.matrix.because(order)) {
+            const model::PhysicalRelation& relation = record_.relations[r];
+            certain = certain || relation.certainty == model::Certainty::Certain;
+            if (std::find(kinds.begin(), kinds.end(), relation.kind) == kinds.end()) kinds.push_back(relation.kind);
+        }
+        line.uncertain = !certain;
+        std::vector<std::string> words;
+        std::vector<std::string> phrases;
+        for (const model::RelationKind kind : kinds) {
+            words.emplace_back(model::to_word(kind));
+            phrases.emplace_back(model::phrase(kind));
+        }
+        line.kind = text::join(words, " ");
+        line.title = fmt::format("{} {} {}{}", later.name, text::join(phrases, " and "), earlier.name,
+                                 line.uncertain ? " (uncertain)" : "");
+    }
+
+    void make_contemporaries() {
+        for (const Order& pair : request_.matrix.contemporaries()) {
+            const std::uint32_t a = selection_.box_of[pair.later];
+            const std::uint32_t b = selection_.box_of[pair.earlier];
+            if (a == Selection::kLeftOut || b == Selection::kLeftOut || a == b) continue;
+            graph_.contemporaries.push_back({std::min(a, b), std::max(a, b)});
+        }
+        std::sort(graph_.contemporaries.begin(), graph_.contemporaries.end());
+        graph_.contemporaries.erase(std::unique(graph_.contemporaries.begin(), graph_.contemporaries.end()),
+                                    graph_.contemporaries.end());
+    }
+
+    [[nodiscard]] std::size_t count_keyed(const std::vector<std::int32_t>& keys) const {
+        return static_cast<std::size_t>(std::count_if(graph_.boxes.begin(), graph_.boxes.end(), [&](const GraphBox& b) {
+            return keys[b.units.front()] >= 0;
+        }));
+    }
+
+    void choose_bands() {
+        Bands bands = request_.options.bands;
+        if (request_.options.fold != Fold::None || bands == Bands::None) return;
+        const std::vector<std::int32_t> phases = fold_keys(record_, Fold::Phases);
+        const std::vector<std::int32_t> periods = fold_keys(record_, Fold::Periods);
+        if (bands == Bands::Automatic) {
+            const std::size_t enough = (graph_.boxes.size() * 4 + 4) / 5;
+            if (graph_.boxes.empty()) return;
+            if (count_keyed(phases) >= enough) {
+                bands = Bands::Phases;
+            } else if (count_keyed(periods) >= enough) {
+                bands = Bands::Periods;
+            } else {
+                return;
+            }
+        }
+        make_bands(bands, bands == Bands::Phases ? phases : periods);
+    }
+
+    // Time of a phase or period for sorting: ranks first, then years, then the number.
+    struct BandKey {
+        std::array<std::int64_t, 4> time{};
+        std::string number;
+        std::int32_t position = -1;
+    };
+
+    [[nodiscard]] BandKey key_of_period(std::int32_t p) const {
+        BandKey key;
+        if (p < 0) return key;
+        const model::Period& period = record_.periods[static_cast<std::size_t>(p)];
+        key.time = {period.rank.value_or(0), period.from.value_or(period.to.value_or(0)), 0, 0};
+        key.number = period.number;
+        key.position = p;
+        return key;
+    }
+
+    [[nodiscard]] BandKey key_of_phase(std::int32_t p) const {
+        const model::Phase& phase = record_.phases[static_cast<std::size_t>(p)];
+        const auto period = std::find_if(record_.periods.begin(), record_.periods.end(),
+                                         [&](const model::Period& c) { return c.id == phase.period; });
+        BandKey key = key_of_period(
+            period == record_.periods.end() ? -1 : static_cast<std::int32_t>(period - record_.periods.begin()));
+        key.time[2] = phase.rank.value_or(0);
+        key.time[3] = phase.from.value_or(phase.to.value_or(0));
+        key.number = phase.number;
+        key.position = p;
+        return key;
+    }
+
+    void make_bands(Bands bands, const std::vector<std::int32_t>& keys) {
+        std::vector<BandKey> used;
+        std::unordered_set<std::int32_t> seen;
+        for (const GraphBox& b : graph_.boxes) {
+            const std::int32_t key = keys[b.units.front()];
+            if (key < 0 || !seen.insert(key).second) continue;
+            used.push_back(bands == Bands::Phases ? key_of_phase(key) : key_of_period(key));
+        }
+        std::sort(used.begin(), used.end(), [](const BandKey& a, const BandKey& b) {
+            if (a.time != b.time) return a.time > b.time; // latest first
+            if (const auto order = text::natural_order(a.number, b.number); order != 0) return order > 0;
+            return a.position < b.position;
+        });
+        std::unordered_map<std::int32_t, std::int32_t> band_of;
+        for (const BandKey& key : used) {
+            band_of.emplace(key.position, static_cast<std::int32_t>(graph_.bands.size()));
+            const auto at = static_cast<std::size_t>(key.position);
+            const std::string& title = bands == Bands::Phases ? record_.phases[at].title : record_.periods[at].title;
+            const bool repeats = title.empty() || title == key.number;
+            graph_.bands.push_back({xml_id("band-", key.number), repeats ? key.number : key.number + " " + title});
+        }
+        for (GraphBox& b : graph_.boxes) {
+            const auto band = band_of.find(keys[b.units.front()]);
+            if (band != band_of.end()) b.band = band->second;
+        }
+    }
+
+    void choose_groups() {
+        if (request_.options.frames == Frames::None || request_.options.fold == Fold::Groups) return;
+        const std::vector<std::int32_t> keys = fold_keys(record_, Fold::Groups);
+        std::map<std::int32_t, std::int32_t> used;
+        for (GraphBox& b : graph_.boxes) {
+            const std::int32_t key = keys[b.units.front()];
+            if (key < 0) continue;
+            const auto [it, fresh] = used.emplace(key, static_cast<std::int32_t>(graph_.groups.size()));
+            if (fresh) {
+                const model::UnitGroup& group = record_.groups[static_cast<std::size_t>(key)];
+                graph_.groups.push_back({xml_id("group-", group.number),
+                                         group.title.empty() ? group.number : group.number + " " + group.title});
+            }
+            b.group = it->second;
+        }
+    }
+
+    void place_previous() {
+        std::unordered_map<model::UnitId, DrawPoint> before;
+        for (const PreviousPosition& p : request_.previous) before.emplace(p.unit, p.centre);
+        if (before.empty()) return;
+        for (GraphBox& b : graph_.boxes) {
+            for (const model::UnitId unit : b.box.units) {
+                const auto at = before.find(unit);
+                if (at == before.end() || b.has_previous) continue;
+                b.has_previous = true;
+                b.previous = at->second;
+            }
+        }
+    }
+
+    void describe() {
+        const DrawingOptions& options = request_.options;
+        const std::string& name = record_.settings.name;
+        graph_.title = !options.title.empty() ? options.title : name.empty() ? std::string("Harris matrix") : name;
+        graph_.subtitle = options.subtitle;
+        std::size_t units = 0;
+        for (const GraphBox& b : graph_.boxes) units += b.units.size();
+        graph_.description = fmt::format("Harris matrix of {} {} in {} {} with {} immediate {}; later units stand above earlier ones.",
+                                         units, units == 1 ? "unit" : "units", graph_.boxes.size(),
+                                         graph_.boxes.size() == 1 ? "box" : "boxes", graph_.orders.size(),
+                                         graph_.orders.size() == 1 ? "order" : "orders");
+    }
+
+    const LayoutRequest& request_;
+    const model::Record& record_;
+    model::RecordIndex index_;
+    Selection selection_;
+    std::vector<std::vector<UnitIndex>> units_;
+    std::unordered_set<model::UnitId> with_finds_;
+    std::unordered_map<model::UnitId, Mark> unit_marks_;
+    DrawnGraph graph_;
+};
+
+} // namespace
+
+std::string xml_id(std::string_view prefix, std::string_view name) {
+    std::string id(prefix);
+    for (const char c : name) {
+        const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '.';
+        if (plain) {
+            id += c;
+        } else {
+            id += fmt::format("_x{:02x}", static_cast<unsigned char>(c));
+        }
+    }
+    return id;
+}
+
+DrawnGraph make_drawn_graph(const LayoutRequest& request) {
+    return GraphMaker(request).make();
+}
+
+MatrixDrawing drawing_without_places(const DrawnGraph& graph) {
+    MatrixDrawing drawing;
+    drawing.title = graph.title;
+    drawing.description = graph.description;
+    for (const GraphBox& b : graph.boxes) drawing.boxes.push_back(b.box);
+    for (const GraphOrder& o : graph.orders) drawing.lines.push_back(o.line);
+    return drawing;
+}
+
+} // namespace planum::strat

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/model/record.hpp"
+#include "strat/layout/drawing.hpp"
+#include "strat/layout/text_measure.hpp"
+#include "strat/matrix/harris_matrix.hpp"
+
+namespace planum::strat {
+
+/// Strips across the drawing. Automatic: phases, else periods, if four of five drawn units have one.
+enum class Bands { Automatic, None, Phases, Periods };
+
+/// What is drawn as one box in place of its units.
+enum class Fold { None, Phases, Periods, Groups };
+
+/// Frames around the units of top-level groups; units of one group then stand together.
+enum class Frames { None, Groups };
+
+enum class Labels { Numbers, NumbersAndTitles };
+
+struct UnitMark {
+    model::UnitId unit;
+    Mark mark = Mark::None;
+};
+
+struct OrderMark {
+    model::UnitId later;
+    model::UnitId earlier;
+    Mark mark = Mark::None;
+};
+
+/// What shall be drawn of a matrix, and how. Choices of units (area, around, only) narrow each other.
+struct DrawingOptions {
+    std::string title;    ///< empty: the project's name
+    std::string subtitle; ///< day, area, interpretation, as the caller says; empty: none
+    std::string area;     ///< name of an area; empty: the whole site
+    model::UnitId around; ///< nil: no neighbourhood
+    int around_steps = 2; ///< immediate orders up and down from `around`
+    std::vector<model::UnitId> only; ///< these units (those with problems, those that changed); empty: all
+    Bands bands = Bands::Automatic;
+    Fold fold = Fold::None;
+    Frames frames = Frames::None;
+    Labels labels = Labels::Numbers;
+    std::vector<UnitMark> marks;
+    std::vector<OrderMark> order_marks;
+    std::string unit_link; ///< `units/{}.html`, {} being the number; empty: no links
+};
+
+/// Where a unit stood in an earlier drawing; engines move as little as they can.
+struct PreviousPosition {
+    model::UnitId unit;
+    DrawPoint centre;
+};
+
+/// Record and matrix belong together; all three must outlive the call.
+struct LayoutRequest {
+    const model::Record& record;
+    const HarrisMatrix& matrix;
+    const TextMeasure& text;
+    DrawingOptions options;
+    std::vector<PreviousPosition> previous;
+};
+
+/// Turns a matrix into geometry. Same request, same drawing.
+class LayoutEngine {
+  public:
+    virtual ~LayoutEngine() = default;
+
+    [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+
+    /// Throws NotFound for an area or unit that the record lacks, Cancelled when asked to stop, and
+    /// whatever the engine's own limits call for (see there).
+    [[nodiscard]] virtual MatrixDrawing draw(const LayoutRequest& request, Progress& progress) const = 0;
+};
+
+/// Positions of an earlier drawing, for LayoutRequest::previous.
+[[nodiscard]] std::vector<PreviousPosition> positions_of(const MatrixDrawing& drawing);
+
+} // namespace planum::strat

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/model/record.hpp"
+
+namespace planum::test {
+
+/// Builds small records for drawings by hand: `a_matrix().above("1", "2").kind("1", Cut).record()`.
+class MatrixBuilder {
+  public:
+    MatrixBuilder& unit(const std::string& number) {
+        find(number);
+        return *this;
+    }
+
+    MatrixBuilder& relate(const std::string& a, model::RelationKind kind, const std::string& b,
+                          model::Certainty certainty = model::Certainty::Certain) {
+        model::PhysicalRelation relation;
+        relation.id = {ids_.next()};
+        relation.subject = record_.units[find(a)].id;
+        relation.object = record_.units[find(b)].id;
+        relation.kind = kind;
+        relation.certainty = certainty;
+        record_.relations.push_back(relation);
+        return *this;
+    }
+
+    MatrixBuilder& above(const std::string& a, const std::string& b) {
+        return relate(a, model::RelationKind::Covers, b);
+    }
+
+    MatrixBuilder& kind(const std::string& number, model::UnitKind kind) {
+        record_.units[find(number)].kind = kind;
+        return *this;
+    }
+
+    MatrixBuilder& phase(const std::string& number, const std::string& phase, std::int64_t rank) {
+        auto it = std::find_if(record_.phases.begin(), record_.phases.end(),
+                               [&](const model::Phase& p) { return p.number == phase; });
+        if (it == record_.phases.end()) {
+            model::Phase fresh;
+            fresh.id = {ids_.next()};
+            fresh.number = phase;
+            fresh.rank = rank;
+            it = record_.phases.insert(it, fresh);
+        }
+        record_.units[find(number)].phase = it->id;
+        return *this;
+    }
+
+    [[nodiscard]] model::UnitId id(const std::string& number) { return record_.units[find(number)].id; }
+
+    [[nodiscard]] model::Record record() const {
+        model::Record sorted = record_;
+        model::sort_record(sorted);
+        return sorted;
+    }
+
+    model::Record& raw() { return record_; }
+
+  private:
+    std::size_t find(const std::string& number) {
+        for (std::size_t i = 0; i < record_.units.size(); ++i) {
+            if (record_.units[i].number == number) return i;
+        }
+        model::StratigraphicUnit unit;
+        unit.id = {ids_.next()};
+        unit.number = number;
+        record_.units.push_back(unit);
+        return record_.units.size() - 1;
+    }
+
+    SeededUuids ids_{1};
+    model::Record record_;
+};
+
+inline MatrixBuilder a_matrix() {
+    return {};
+}
+
+struct TrenchOptions {
+    std::size_t units = 100;
+    std::uint32_t seed = 1;
+    std::size_t width = 24;      ///< columns of ground; more of them: broader matrices
+    std::size_t layer_reach = 5; ///< columns that a layer covers, at most
+};
+
+/// A record as a trench would give it: layers laid over stretches of ground, pits cut and filled, walls
+/// built. Relations are stated between what touches, so some are redundant. Unit 1 is the latest.
+inline model::Record a_trench(const TrenchOptions& options) {
+    using model::UnitKind;
+    struct Laid {
+        UnitKind kind;
+        std::vector<std::pair<std::size_t, model::RelationKind>> below;
+    };
+    std::mt19937 random(options.seed);
+    const auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+    std::vector<Laid> laid = {{UnitKind::Natural, {}}};
+    std::vector<std::vector<std::size_t>> ground(options.width, {0}); // per column, what lies there, top last
+    const auto lay = [&](UnitKind kind, model::RelationKind relation, std::size_t from, std::size_t to) {
+        Laid unit{kind, {}};
+        for (std::size_t c = from; c < to; ++c) {
+            const std::size_t under = ground[c].back();
+            const auto known = [&](const auto& r) { return r.first == under; };
+            if (std::none_of(unit.below.begin(), unit.below.end(), known)) unit.below.emplace_back(under, relation);
+            ground[c].push_back(laid.size());
+        }
+        laid.push_back(std::move(unit));
+    };
+    while (laid.size() < options.units) {
+        const std::size_t from = pick(options.width);
+        const std::size_t to = std::min(options.width, from + 1 + pick(options.layer_reach));
+        const std::size_t what = pick(10);
+        if (what < 6) {
+            lay(UnitKind::Deposit, model::RelationKind::Covers, from, to);
+        } else if (what < 9) { // a pit: takes some layers away, then gets a fill or two
+            for (std::size_t c = from; c < std::min(to, from + 2); ++c) {
+                for (std::size_t depth = pick(3); depth > 0 && ground[c].size() > 1; --depth) ground[c].pop_back();
+            }
+            lay(UnitKind::Cut, model::RelationKind::Cuts, from, std::min(to, from + 2));
+            lay(UnitKind::Deposit, model::RelationKind::Fills, from, std::min(to, from + 2));
+        } else {
+            lay(UnitKind::Structure, model::RelationKind::Covers, from, std::min(to, from + 2));
+        }
+    }
+    MatrixBuilder builder;
+    const auto number = [&](std::size_t i) { return std::to_string(laid.size() - i); };
+    for (std::size_t i = laid.size(); i-- > 0;) builder.kind(number(i), laid[i].kind);
+    for (std::size_t i = laid.size(); i-- > 0;) {
+        for (const auto& [under, kind] : laid[i].below) builder.relate(number(i), kind, number(under));
+    }
+    builder.raw().settings.name = "Generated trench";
+    return builder.record();
+}
+
+} // namespace planum::test

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/drawn_graph.hpp"
+
+#include "core/base/error.hpp"
+#include "strat/layout/dot_writer.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/layout_records.hpp"
+
+using namespace planum;
+using namespace planum::strat;
+using planum::test::a_matrix;
+
+namespace {
+
+DrawnGraph graph_of(const model::Record& record, const DrawingOptions& options = {}) {
+    const HarrisMatrix matrix = HarrisMatrix::build(record);
+    const TableTextMeasure text;
+    return make_drawn_graph({record, matrix, text, options, {}});
+}
+
+std::vector<std::string> order_names(const DrawnGraph& graph) {
+    std::vector<std::string> names;
+    for (const GraphOrder& o : graph.orders) names.push_back(graph.boxes[o.later].name + ">" + graph.boxes[o.earlier].name);
+    return names;
+}
+
+} // namespace
+
+TEST_CASE("Only immediate orders are drawn") {
+    const DrawnGraph graph = graph_of(a_matrix().above("1", "2").above("2", "3").above("1", "3").record());
+    CHECK(order_names(graph) == std::vector<std::string>{"1>2", "2>3"});
+}
+
+TEST_CASE("Units merged by same_as share a box") {
+    const DrawnGraph graph = graph_of(a_matrix().above("1", "2").relate("2", model::RelationKind::SameAs, "7").record());
+    REQUIRE(graph.boxes.size() == 2);
+    CHECK(graph.boxes[1].box.lines == std::vector<std::string>{"2 = 7"});
+}
+
+TEST_CASE("A neighbourhood keeps the orders that hold by way of units left out") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4");
+    DrawingOptions options;
+    options.only = {builder.id("1"), builder.id("3"), builder.id("4")};
+    const DrawnGraph graph = graph_of(builder.record(), options);
+    CHECK(order_names(graph) == std::vector<std::string>{"1>3", "3>4"});
+    CHECK(graph.orders[0].line.through);
+    CHECK_FALSE(graph.orders[1].line.through);
+}
+
+TEST_CASE("Around a unit means so many immediate orders up and down") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("4", "5");
+    DrawingOptions options;
+    options.around = builder.id("3");
+    options.around_steps = 1;
+    CHECK(order_names(graph_of(builder.record(), options)) == std::vector<std::string>{"2>3", "3>4"});
+}
+
+TEST_CASE("An unknown area is an error that names it") {
+    DrawingOptions options;
+    options.area = "Trench 9";
+    CHECK_THROWS_WITH(graph_of(a_matrix().above("1", "2").record(), options), "no area Trench 9");
+}
+
+TEST_CASE("Folded phases become boxes whose orders are reduced again") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("1", "3").above("1", "4").above("4", "3");
+    builder.phase("1", "III", 3).phase("2", "II", 2).phase("4", "II", 2).phase("3", "I", 1);
+    DrawingOptions options;
+    options.fold = Fold::Phases;
+    const DrawnGraph graph = graph_of(builder.record(), options);
+    CHECK(order_names(graph) == std::vector<std::string>{"III>II", "II>I"});
+    CHECK(graph.boxes[1].box.lines == std::vector<std::string>{"II", "2 units"});
+}
+
+TEST_CASE("Bands run from the latest phase to the earliest, unasked where most units have one") {
+    auto builder = a_matrix().above("1", "2").above("2", "3");
+    builder.phase("1", "c", 3).phase("2", "b", 2).phase("3", "a", 1);
+    const DrawnGraph graph = graph_of(builder.record());
+    REQUIRE(graph.bands.size() == 3);
+    CHECK(graph.bands[0].heading == "c");
+    CHECK(graph.boxes[0].band == 0);
+    CHECK(graph.boxes[2].band == 2);
+}
+
+TEST_CASE("An order is uncertain only if nothing certain says it") {
+    using model::Certainty;
+    using model::RelationKind;
+    auto builder = a_matrix().relate("1", RelationKind::Covers, "2", Certainty::Uncertain);
+    CHECK(graph_of(builder.record()).orders.at(0).line.uncertain);
+    builder.relate("1", RelationKind::Cuts, "2");
+    CHECK_FALSE(graph_of(builder.record()).orders.at(0).line.uncertain);
+}
+
+TEST_CASE("Cycles stay in the drawing, all of their orders, marked") {
+    const DrawnGraph graph = graph_of(a_matrix().above("1", "2").above("2", "3").above("3", "1").above("3", "4").record());
+    CHECK(graph.orders.size() == 4);
+    CHECK(graph.orders[0].line.in_cycle);
+    CHECK(graph.boxes[0].box.in_cycle);
+    CHECK_FALSE(graph.boxes[3].box.in_cycle);
+}
+
+TEST_CASE("DOT quotes what would end a string") {
+    CHECK(dot_quoted("a\"b\\c") == "\"a\\\"b\\\\c\"");
+    const std::string dot = write_dot(graph_of(a_matrix().above("1", "2").record()));
+    CHECK_THAT(dot, Catch::Contains("\"1\" -> \"2\""));
+}

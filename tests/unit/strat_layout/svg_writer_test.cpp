@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/svg_writer.hpp"
+
+#include <fstream>
+
+#include "strat/layout/drawn_graph.hpp"
+#include "strat/layout/graphviz_engine.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/layout_records.hpp"
+#include "tests/support/temporary.hpp"
+
+using namespace planum;
+using namespace planum::strat;
+using planum::test::a_matrix;
+
+namespace {
+
+MatrixDrawing drawn(const model::Record& record, const DrawingOptions& options = {}) {
+    const HarrisMatrix matrix = HarrisMatrix::build(record);
+    const TableTextMeasure text;
+    return GraphvizEngine().draw({record, matrix, text, options, {}}, Progress::none());
+}
+
+} // namespace
+
+TEST_CASE("SVG names each unit and each order by id, class and title") {
+    auto builder = a_matrix().relate("1042", model::RelationKind::Cuts, "1017");
+    builder.kind("1042", model::UnitKind::Cut);
+    const std::string svg = write_svg(drawn(builder.record()));
+    CHECK_THAT(svg, Catch::Contains("<g id=\"unit-1042\" class=\"unit cut\"><title>1042</title>"));
+    CHECK_THAT(svg, Catch::Contains("class=\"order cuts\" data-later=\"unit-1042\" data-earlier=\"unit-1017\""));
+    CHECK_THAT(svg, Catch::Contains("<title>1042 cuts 1017</title>"));
+    CHECK_THAT(svg, Catch::Contains("textLength="));
+}
+
+TEST_CASE("SVG of hostile names and titles is valid XML") {
+    auto builder = a_matrix().above("<1&\"2'>", " 16/9").above("B. 36", "1297+").unit("\x01\x1f");
+    DrawingOptions options;
+    options.title = "</title><script>\"&'";
+    options.unit_link = "u/{}.html?a=1&b=\"2\"";
+    const test::TemporaryFolder folder;
+    const auto file = folder.write("hostile.svg", write_svg(drawn(builder.record(), options)));
+    CHECK(std::system(("xmllint --noout " + file.string()).c_str()) == 0);
+}
+
+TEST_CASE("Different names give different ids") {
+    CHECK(xml_id("unit-", "1 2") != xml_id("unit-", "1_2"));
+    CHECK(xml_id("unit-", "1 2") == "unit-1_x202");
+    CHECK(xml_id("unit-", "1_x202") != "unit-1_x202");
+}
+
+TEST_CASE("The same record gives the same bytes") {
+    const model::Record record = test::a_trench({.units = 40});
+    CHECK(write_svg(drawn(record)) == write_svg(drawn(record)));
+}
