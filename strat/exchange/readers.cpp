@@ -10,6 +10,8 @@ std::span<const Reader> all_readers() {
         lst_reader(),
         hmcx_reader(),
         hmc_csv_reader(),
+        hm_tables_reader(),
+        arkmatrix_reader(),
     };
     return readers;
 }

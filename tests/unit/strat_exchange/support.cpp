@@ -134,7 +134,26 @@ Counts counts_of(const strat::ImportedRecord& record) {
         ordered.insert(order.first);
         ordered.insert(order.second);
     }
-    counts.isolated = units.size() - ordered.size();
+    // What is the same as an ordered unit is not isolated; and what is the same counts once.
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const Pair& pair : same) {
+            if (ordered.contains(pair.first) == ordered.contains(pair.second)) continue;
+            grows = ordered.insert(pair.first).second || ordered.insert(pair.second).second;
+        }
+    }
+    std::map<std::string, std::string> smallest; // of those that are the same
+    for (const std::string& unit : units) smallest[unit] = unit;
+    for (bool changes = true; changes;) {
+        changes = false;
+        for (const Pair& pair : same) {
+            const std::string least = std::min(smallest[pair.first], smallest[pair.second]);
+            changes = changes || smallest[pair.first] != least || smallest[pair.second] != least;
+            smallest[pair.first] = least;
+            smallest[pair.second] = least;
+        }
+    }
+    for (const std::string& unit : units) counts.isolated += !ordered.contains(unit) && smallest[unit] == unit ? 1U : 0U;
     return counts;
 }
 

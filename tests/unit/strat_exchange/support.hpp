@@ -44,7 +44,7 @@ struct Counts {
     std::size_t contemporary = 0;
     std::size_t self = 0;
     std::size_t mutual = 0;
-    std::size_t isolated = 0; ///< in no order
+    std::size_t isolated = 0; ///< in no order, what is the same counted once
 
     friend bool operator==(const Counts&, const Counts&) = default;
 };
