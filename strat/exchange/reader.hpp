@@ -27,6 +27,8 @@ struct InputFile {
 struct ReadOptions {
     /// Numbers in files without an area column belong to this area; empty: none.
     std::string area;
+    /// Of files with several sites, the one to read; empty: the one with most units; `*`: all.
+    std::string site;
 };
 
 /// How sure a reader is that files are its own.

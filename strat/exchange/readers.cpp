@@ -7,6 +7,7 @@ namespace planum::strat {
 
 std::span<const Reader> all_readers() {
     static const std::array readers = {
+        pyarchinit_reader(),
         lst_reader(),
         hmcx_reader(),
         hmc_csv_reader(),

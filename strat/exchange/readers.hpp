@@ -15,4 +15,6 @@ namespace planum::strat {
 [[nodiscard]] const Reader& arkmatrix_reader();
 [[nodiscard]] const Reader& urkesh_reader();
 
+[[nodiscard]] const Reader& pyarchinit_reader();
+
 } // namespace planum::strat
