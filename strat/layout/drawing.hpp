@@ -45,6 +45,7 @@ enum class Mark { None, Added, Removed, Changed, Problem };
 struct DrawnBox {
     std::string id; ///< valid as an XML id, unique in the drawing: `unit-1042`
     std::vector<model::UnitId> units;
+    std::vector<std::string> names;  ///< of the units, as texts call them
     std::vector<std::string> lines;  ///< the label, line by line, drawn centred
     std::vector<double> line_widths; ///< of each line [pt], as measured
     std::string title;              ///< a sentence for tool tips and screen readers

@@ -128,7 +128,7 @@ class GraphMaker {
         const model::StratigraphicUnit& first = record_.units[out.units.front()];
         out.name = index_.name(out.units.front());
         box.mentioned_only = true;
-        std::vector<std::string> names;
+        std::vector<std::string>& names = box.names;
         for (const UnitIndex u : out.units) {
             const model::StratigraphicUnit& unit = record_.units[u];
             box.units.push_back(unit.id);

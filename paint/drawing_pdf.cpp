@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "paint/drawing_pdf.hpp"
+
+#include <QBuffer>
+#include <QPageLayout>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "paint/drawing_painter.hpp"
+#include "paint/font_measure.hpp"
+#include "paint/qt_runtime.hpp"
+#include "strat/layout/drawing_colours.hpp"
+
+namespace planum::paint {
+
+using namespace strat;
+
+namespace {
+
+constexpr int kDotsPerInch = 1200; // QPdfWriter rounds coordinates to this
+constexpr double kPointsPerInch = 72.0;
+
+class PdfMaker {
+  public:
+    PdfMaker(const MatrixDrawing& drawing, const PdfOptions& options, Progress& progress)
+        : drawing_(drawing), options_(options), progress_(progress), plan_(plan_poster(drawing, options.poster)) {
+        poster_ = options.poster.paging == Paging::Poster && options.poster.paper != Paper::Fitted;
+        index_ = poster_ ? sheet_index(drawing, plan_) : std::vector<SheetEntry>{};
+        widest_entry_ = 60.0;
+        for (const SheetEntry& e : index_) {
+            widest_entry_ = std::max(widest_entry_, measure_.width(e.unit + "  " + e.sheet, kIndexText, FontWeight::Regular) + 24.0);
+        }
+    }
+
+    std::string make() {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        QPdfWriter writer(&buffer);
+        writer.setResolution(kDotsPerInch);
+        writer.setTitle(QString::fromStdString(drawing_.title));
+        writer.setCreator(QStringLiteral("planum"));
+        writer.setPageSize(QPageSize(QSizeF(plan_.page_width, plan_.page_height), QPageSize::Point, QString(),
+                                     QPageSize::ExactMatch));
+        writer.setPageMargins(QMarginsF(0, 0, 0, 0));
+        QPainter painter(&writer);
+        if (!painter.isActive()) throw Error(ErrorCode::Internal, "the PDF could not be begun");
+        painter.scale(kDotsPerInch / kPointsPerInch, kDotsPerInch / kPointsPerInch);
+        pages_ = plan_.sheets.size() + (poster_ ? 1 + index_pages() : 0);
+        for (const Sheet& sheet : plan_.sheets) {
+            progress_.check();
+            progress_.fraction(static_cast<double>(page_) / static_cast<double>(pages_));
+            next_page(writer);
+            paint_sheet(painter, sheet);
+        }
+        if (poster_) {
+            next_page(writer);
+            paint_map(painter);
+            paint_index(painter, writer);
+        }
+        painter.end();
+        std::string pdf = bytes.toStdString();
+        set_creation_date(pdf);
+        return pdf;
+    }
+
+  private:
+    static constexpr double kIndexText = 8.0;
+    static constexpr double kIndexLine = 11.0;
+
+    void next_page(QPdfWriter& writer) {
+        if (page_ > 0) writer.newPage();
+        ++page_;
+    }
+
+    void paint_sheet(QPainter& painter, const Sheet& sheet) {
+        const DrawRect& content = plan_.content;
+        painter.save();
+        painter.setClipRect(QRectF(content.x, content.y, content.width, content.height));
+        painter.translate(content.x, content.y);
+        painter.scale(plan_.scale, plan_.scale);
+        painter.translate(-sheet.part.x, -sheet.part.y);
+        paint_drawing(painter, poster_ ? part_of(sheet.part) : drawing_);
+        painter.restore();
+        if (poster_) paint_edges(painter, sheet);
+        paint_title_block(painter, poster_ ? "sheet " + sheet.name : std::string{});
+    }
+
+    // Only what the sheet shows, or a poster of a hundred sheets would hold the drawing a hundred times.
+    [[nodiscard]] MatrixDrawing part_of(const DrawRect& part) const {
+        const auto hidden = [&](const DrawRect& r) {
+            constexpr double kSlack = 4.0; // strokes and marks stand out a little
+            return r.right() + kSlack < part.x || r.x - kSlack > part.right() || r.bottom() + kSlack < part.y ||
+                   r.y - kSlack > part.bottom();
+        };
+        MatrixDrawing d = drawing_;
+        std::erase_if(d.boxes, [&](const DrawnBox& b) { return hidden(b.rect); });
+        std::erase_if(d.lines, [&](const DrawnLine& l) {
+            for (std::size_t i = 1; i < l.points.size(); ++i) {
+                const auto [x0, x1] = std::minmax(l.points[i - 1].x, l.points[i].x);
+                const auto [y0, y1] = std::minmax(l.points[i - 1].y, l.points[i].y);
+                if (!hidden({x0, y0, x1 - x0, y1 - y0})) return false;
+            }
+            return true;
+        });
+        std::erase_if(d.junctions, [&](const DrawPoint& p) { return hidden({p.x, p.y, 0.0, 0.0}); });
+        std::erase_if(d.texts, [&](const DrawnText& t) { return hidden({t.at.x - t.width, t.at.y - t.size, 2.0 * t.width, 2.0 * t.size}); });
+        return d;
+    }
+
+    // Crop marks where the neighbour's half of the overlap begins, and the neighbour's name.
+    void paint_edges(QPainter& painter, const Sheet& sheet) {
+        const DrawRect& c = plan_.content;
+        const double half = options_.poster.overlap / 2.0;
+        const double left = sheet.column > 0 ? c.x + half : c.x;
+        const double right = sheet.column + 1 < plan_.columns ? c.right() - half : c.right();
+        const double top = sheet.row > 0 ? c.y + half : c.y;
+        const double bottom = sheet.row + 1 < plan_.rows ? c.bottom() - half : c.bottom();
+        painter.setPen(QPen(QColor::fromRgb(kInk), 0.4));
+        constexpr double kGap = 3.0;
+        constexpr double kLength = 12.0;
+        for (const double x : {left, right}) {
+            painter.drawLine(QPointF(x, c.y - kGap - kLength), QPointF(x, c.y - kGap));
+            painter.drawLine(QPointF(x, c.bottom() + kGap), QPointF(x, c.bottom() + kGap + kLength));
+        }
+        for (const double y : {top, bottom}) {
+            painter.drawLine(QPointF(c.x - kGap - kLength, y), QPointF(c.x - kGap, y));
+            painter.drawLine(QPointF(c.right() + kGap, y), QPointF(c.right() + kGap + kLength, y));
+        }
+        const auto say = [&](const std::string& words, DrawPoint at, TextAnchor anchor) {
+            paint_text(painter, {words, at, 7.0, 0.0, anchor, FontWeight::Regular, kFaintInk});
+        };
+        const auto name = [](std::size_t row, std::size_t column) { return row_letters(row) + fmt::format("{}", column + 1); };
+        const DrawPoint middle = c.centre();
+        if (sheet.column > 0) say("◂ " + name(sheet.row, sheet.column - 1), {c.x - 24.0, middle.y}, TextAnchor::Start);
+        if (sheet.column + 1 < plan_.columns) {
+            say(name(sheet.row, sheet.column + 1) + " ▸", {c.right() + 24.0, middle.y}, TextAnchor::End);
+        }
+        if (sheet.row > 0) say("▴ " + name(sheet.row - 1, sheet.column), {middle.x, c.y - 8.0}, TextAnchor::Middle);
+        if (sheet.row + 1 < plan_.rows) {
+            say("▾ " + name(sheet.row + 1, sheet.column), {middle.x, c.bottom() + 9.0}, TextAnchor::Middle);
+        }
+    }
+
+    void paint_title_block(QPainter& painter, const std::string& right) {
+        const double x0 = options_.poster.margin;
+        const double x1 = plan_.page_width - options_.poster.margin;
+        const double y = plan_.page_height - options_.poster.margin;
+        painter.setPen(QPen(QColor::fromRgb(kBandEdge), 0.6));
+        painter.drawLine(QPointF(x0, y - kTitleBlock + 14.0), QPointF(x1, y - kTitleBlock + 14.0));
+        std::string left = options_.site;
+        if (!drawing_.title.empty() && drawing_.title != options_.site) left += (left.empty() ? "" : " · ") + drawing_.title;
+        paint_text(painter, {left, {x0, y - 6.0}, 9.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
+        std::string facts = options_.date;
+        facts += fmt::format("{}scale {:.0f} %", facts.empty() ? "" : " · ", plan_.scale * 100.0);
+        if (!right.empty()) facts += " · " + right;
+        facts += fmt::format(" · page {} of {}", page_, pages_);
+        paint_text(painter, {facts, {x1, y - 6.0}, 8.0, 0.0, TextAnchor::End, FontWeight::Regular, kFaintInk});
+    }
+
+    // The whole drawing small, with the sheets' cutting lines and names.
+    void paint_map(QPainter& painter) {
+        const DrawRect& c = plan_.content;
+        paint_text(painter, {"Sheets", {c.x, c.y + 12.0}, 13.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
+        const double room = c.height - 24.0;
+        const double scale = std::min({c.width / drawing_.width, room / drawing_.height, 1.0});
+        painter.save();
+        painter.translate(c.x, c.y + 24.0);
+        painter.scale(scale, scale);
+        painter.setClipRect(QRectF(0.0, 0.0, drawing_.width, drawing_.height));
+        paint_drawing(painter, drawing_);
+        painter.restore();
+        const double overlap = options_.poster.overlap / plan_.scale;
+        for (const Sheet& sheet : plan_.sheets) {
+            const double left = sheet.column > 0 ? sheet.part.x + overlap / 2.0 : 0.0;
+            const double top = sheet.row > 0 ? sheet.part.y + overlap / 2.0 : 0.0;
+            const double right = sheet.column + 1 < plan_.columns ? sheet.part.right() - overlap / 2.0 : drawing_.width;
+            const double bottom = sheet.row + 1 < plan_.rows ? sheet.part.bottom() - overlap / 2.0 : drawing_.height;
+            const QRectF tile(c.x + left * scale, c.y + 24.0 + top * scale, (right - left) * scale, (bottom - top) * scale);
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(QColor::fromRgb(0x1f5fa8), 0.7));
+            painter.drawRect(tile);
+            paint_text(painter, {sheet.name, {tile.center().x(), tile.center().y() + 5.0}, 14.0, 0.0, TextAnchor::Middle,
+                                 FontWeight::Bold, 0x1f5fa8});
+        }
+        paint_title_block(painter, "map of the sheets");
+    }
+
+    [[nodiscard]] std::size_t index_columns() const {
+        return std::max<std::size_t>(1, static_cast<std::size_t>(plan_.content.width / widest_entry_));
+    }
+
+    [[nodiscard]] std::size_t index_rows() const {
+        return std::max<std::size_t>(1, static_cast<std::size_t>((plan_.content.height - 30.0) / kIndexLine));
+    }
+
+    [[nodiscard]] std::size_t index_pages() const {
+        const std::size_t per_page = index_columns() * index_rows();
+        return (index_.size() + per_page - 1) / per_page;
+    }
+
+    void paint_index(QPainter& painter, QPdfWriter& writer) {
+        const DrawRect& c = plan_.content;
+        const std::size_t per_page = index_columns() * index_rows();
+        for (std::size_t first = 0; first < index_.size(); first += per_page) {
+            next_page(writer);
+            paint_text(painter, {"Unit and sheet", {c.x, c.y + 12.0}, 13.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
+            for (std::size_t i = first; i < std::min(index_.size(), first + per_page); ++i) {
+                const std::size_t column = (i - first) / index_rows();
+                const std::size_t row = (i - first) % index_rows();
+                const double x = c.x + static_cast<double>(column) * widest_entry_;
+                const double y = c.y + 30.0 + static_cast<double>(row) * kIndexLine;
+                paint_text(painter, {index_[i].unit, {x, y}, kIndexText, 0.0, TextAnchor::Start, FontWeight::Regular, kInk});
+                paint_text(painter, {index_[i].sheet, {x + widest_entry_ - 18.0, y}, kIndexText, 0.0, TextAnchor::End,
+                                     FontWeight::Bold, kInk});
+            }
+            paint_title_block(painter, "index");
+        }
+    }
+
+    // Qt writes the current time; ours is injected. The field has a fixed length, so no offset moves.
+    void set_creation_date(std::string& pdf) const {
+        std::string digits;
+        for (const char ch : options_.created_at) {
+            if (ch >= '0' && ch <= '9' && digits.size() < 14) digits += ch;
+        }
+        if (digits.size() < 14) digits = "19700101000000";
+        constexpr std::string_view kKey = "/CreationDate (D:";
+        for (std::size_t at = pdf.find(kKey); at != std::string::npos; at = pdf.find(kKey, at + 1)) {
+            std::size_t i = at + kKey.size();
+            for (std::size_t k = 0; k < digits.size() && i + k < pdf.size() && pdf[i + k] != ')'; ++k) pdf[i + k] = digits[k];
+        }
+    }
+
+    const MatrixDrawing& drawing_;
+    const PdfOptions& options_;
+    Progress& progress_;
+    PosterPlan plan_;
+    FontTextMeasure measure_;
+    std::vector<SheetEntry> index_;
+    double widest_entry_ = 0.0; // column of the index [pt]
+    bool poster_ = false;
+    std::size_t page_ = 0;
+    std::size_t pages_ = 0;
+};
+
+} // namespace
+
+std::string render_pdf(const MatrixDrawing& drawing, const PdfOptions& options, Progress& progress) {
+    ensure_qt_runtime();
+    progress.step("writing the PDF");
+    return PdfMaker(drawing, options, progress).make();
+}
+
+} // namespace planum::paint

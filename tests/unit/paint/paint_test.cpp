@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "paint/drawing_pdf.hpp"
+#include "paint/drawing_png.hpp"
+#include "paint/font_measure.hpp"
+#include "paint/poster_plan.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/temporary.hpp"
+
+using namespace planum;
+using namespace planum::paint;
+using namespace planum::strat;
+
+namespace {
+
+// A drawing of boxes in rows, by hand, `columns` × `rows` of them.
+MatrixDrawing boxes_in_rows(std::size_t columns, std::size_t rows) {
+    MatrixDrawing d;
+    d.title = "Boxes";
+    for (std::size_t r = 0; r < rows; ++r) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            DrawnBox box;
+            const std::string name = std::to_string(r * columns + c + 1);
+            box.id = "unit-" + name;
+            box.names = {name};
+            box.lines = {name};
+            box.line_widths = {10.0};
+            box.rect = {40.0 + 60.0 * static_cast<double>(c), 40.0 + 50.0 * static_cast<double>(r), 40.0, 20.0};
+            d.boxes.push_back(box);
+        }
+    }
+    d.width = 80.0 + 60.0 * static_cast<double>(columns);
+    d.height = 80.0 + 50.0 * static_cast<double>(rows);
+    return d;
+}
+
+std::size_t count(const std::string& text, std::string_view word) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+    return n;
+}
+
+} // namespace
+
+TEST_CASE("The built-in widths are those of the font") {
+    const FontTextMeasure font;
+    const TableTextMeasure table;
+    for (const char* words : {"1042", "Harris matrix: 12 = 15", "WWWiii"}) {
+        CHECK(table.width(words, 9.0, FontWeight::Regular) == Approx(font.width(words, 9.0, FontWeight::Regular)).epsilon(0.03));
+        CHECK(table.width(words, 16.0, FontWeight::Bold) == Approx(font.width(words, 16.0, FontWeight::Bold)).epsilon(0.03));
+    }
+}
+
+TEST_CASE("PNG is a PNG, and one too large is refused with what would fit") {
+    const MatrixDrawing drawing = boxes_in_rows(3, 2);
+    CHECK(render_png(drawing).starts_with("\x89PNG"));
+    PngOptions options;
+    options.max_pixels = 1000;
+    CHECK_THROWS_WITH(render_png(drawing, options), Catch::Contains("dpi"));
+}
+
+TEST_CASE("A drawing on one page is never enlarged") {
+    const PosterPlan plan = plan_poster(boxes_in_rows(2, 2), {});
+    CHECK(plan.scale == 1.0);
+    REQUIRE(plan.sheets.size() == 1);
+}
+
+TEST_CASE("A poster covers the whole drawing, neighbours overlap, each box is whole on some sheet") {
+    const MatrixDrawing drawing = boxes_in_rows(60, 50);
+    PosterOptions options;
+    options.paper = Paper::A4;
+    options.paging = Paging::Poster;
+    const PosterPlan plan = plan_poster(drawing, options);
+    REQUIRE(plan.sheets.size() > 4);
+    double right = 0.0;
+    double bottom = 0.0;
+    for (const Sheet& sheet : plan.sheets) {
+        right = std::max(right, sheet.part.right());
+        bottom = std::max(bottom, sheet.part.bottom());
+    }
+    CHECK(right >= drawing.width);
+    CHECK(bottom >= drawing.height);
+    for (const DrawnBox& box : drawing.boxes) {
+        CHECK(std::any_of(plan.sheets.begin(), plan.sheets.end(), [&](const Sheet& s) {
+            return box.rect.x >= s.part.x && box.rect.right() <= s.part.right() && box.rect.y >= s.part.y &&
+                   box.rect.bottom() <= s.part.bottom();
+        }));
+    }
+    const std::vector<SheetEntry> index = sheet_index(drawing, plan);
+    REQUIRE(index.size() == drawing.boxes.size());
+    CHECK(index.front().unit == "1");
+    CHECK(index.front().sheet == "A1");
+}
+
+TEST_CASE("Rows of sheets are lettered beyond Z") {
+    CHECK(row_letters(0) == "A");
+    CHECK(row_letters(25) == "Z");
+    CHECK(row_letters(26) == "AA");
+    CHECK(row_letters(701) == "ZZ");
+    CHECK(row_letters(702) == "AAA");
+}
+
+TEST_CASE("A poster of too many sheets is refused with what to do") {
+    PosterOptions options;
+    options.paper = Paper::A4;
+    options.paging = Paging::Poster;
+    options.scale = 100.0;
+    CHECK_THROWS_WITH(plan_poster(boxes_in_rows(60, 50), options), Catch::Contains("larger paper"));
+}
+
+TEST_CASE("PDF embeds its font, has a page for each sheet, the map and the index, and repeats itself") {
+    const MatrixDrawing drawing = boxes_in_rows(30, 20);
+    PdfOptions options;
+    options.poster.paper = Paper::A4;
+    options.poster.paging = Paging::Poster;
+    options.site = "Site";
+    options.date = "2025-06-01";
+    const std::string pdf = render_pdf(drawing, options, Progress::none());
+    const std::size_t sheets = plan_poster(drawing, options.poster).sheets.size();
+    CHECK(pdf.starts_with("%PDF-1."));
+    CHECK(count(pdf, "/FontFile2") >= 1);
+    CHECK(count(pdf, "/Type /Page\n") == sheets + 2 + 1); // index of 600 units on A4: two pages
+    CHECK(pdf == render_pdf(drawing, options, Progress::none()));
+}
