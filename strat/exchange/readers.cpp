@@ -8,11 +8,13 @@ namespace planum::strat {
 std::span<const Reader> all_readers() {
     static const std::array readers = {
         pyarchinit_reader(),
+        planum_csv_reader(),
         lst_reader(),
         hmcx_reader(),
         hmc_csv_reader(),
         hm_tables_reader(),
         arkmatrix_reader(),
+        urkesh_reader(),
     };
     return readers;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Reads the real matrices and counts what came out with sets of names, against the counts that an
 // independent program made of the same files.
+#include <map>
+#include <set>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/unit/strat_exchange/support.hpp"
@@ -44,4 +47,25 @@ TEST_CASE("Real matrices are read with the counts of an independent program") {
         CHECK(test::format_of(files) == set.format);
         CHECK(test::to_text(test::counts_of(test::read_all(files).values)) == test::to_text(set.counts));
     }
+}
+
+TEST_CASE("The transcribed books give 75 units and the five whose base lies above their top") {
+    const auto path = test::real_data("matrix/urkesh_transcription.csv");
+    if (!path) return;
+    const auto read = test::read_all(test::load_folder(*path));
+    // The 75 are those with a page or in a relation; what `equals` names comes on top.
+    auto without_equals = read.values;
+    std::erase_if(without_equals.relations, [](const auto& r) { return r.kind == model::RelationKind::SameAs; });
+    CHECK(test::counts_of(without_equals).units == 75);
+    std::map<strat::UnitName, double> tops;
+    std::set<std::string> contradicted;
+    for (const auto& level : read.values.levels) {
+        if (level.values.role == model::LevelRole::Top) tops[level.unit] = level.values.z;
+    }
+    for (const auto& level : read.values.levels) {
+        const auto top = tops.find(level.unit);
+        if (level.values.role != model::LevelRole::Base || top == tops.end()) continue;
+        if (level.values.z > top->second) contradicted.insert(level.unit.area + "::" + level.unit.number);
+    }
+    CHECK(contradicted == std::set<std::string>{"J1::f153", "J2::f117", "J3::f162", "J3::f218", "J3::f52"});
 }

@@ -92,6 +92,19 @@ std::vector<strat::InputFile> load_folder(const std::filesystem::path& path) {
     return files;
 }
 
+std::vector<strat::InputFile> sample(std::string_view name) {
+    return load_folder(std::filesystem::path{PLANUM_SOURCE_DIR} / "tests/data/exchange" / name);
+}
+
+std::map<std::string, std::vector<strat::InputFile>> all_samples() {
+    std::map<std::string, std::vector<strat::InputFile>> samples;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path{PLANUM_SOURCE_DIR} / "tests/data/exchange")) {
+        if (entry.is_directory()) samples[entry.path().filename().string()] = load_folder(entry.path());
+    }
+    return samples;
+}
+
 std::vector<std::string> relations_of(const strat::ImportedRecord& record) {
     std::vector<std::string> texts;
     for (const strat::StatedRelation& r : record.relations) {

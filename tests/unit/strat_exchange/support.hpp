@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,6 +30,12 @@ using Files = std::initializer_list<std::pair<std::string_view, std::string_view
 
 /// All ordinary files of a folder, by name; or the one file.
 [[nodiscard]] std::vector<strat::InputFile> load_folder(const std::filesystem::path& path);
+
+/// A sample of ours, a file or a folder, below tests/data/exchange.
+[[nodiscard]] std::vector<strat::InputFile> sample(std::string_view name);
+
+/// All samples: format (the folder's name) and files.
+[[nodiscard]] std::map<std::string, std::vector<strat::InputFile>> all_samples();
 
 /// `12 covers 13`, one a line, in the order of the record; uncertain ones end in `?`.
 [[nodiscard]] std::vector<std::string> relations_of(const strat::ImportedRecord& record);
