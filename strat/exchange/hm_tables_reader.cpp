@@ -281,6 +281,7 @@ using EventPlaces = std::map<std::string, std::size_t>;
 void read_events(const HmTable& table, RecordBuilder& builder, EventPlaces& events,
                  std::set<std::pair<std::string, std::string>>& seen) {
     constexpr std::array<std::string_view, 4> kKnown = {"theta", "context", "lab", "association"};
+    std::size_t repeated = 0;
     for (const TableRow& row : table.rows()) {
         const UnitName unit = builder.name(table.value(row, "context"));
         const std::string lab = table.value(row, "lab");
@@ -291,7 +292,7 @@ void read_events(const HmTable& table, RecordBuilder& builder, EventPlaces& even
             continue;
         }
         if (!seen.emplace(unit.number, lab).second) {
-            builder.note(place, "repeated", fmt::format("{} of {} stands here again; the first counts", lab, unit.number));
+            ++repeated;
             continue;
         }
         const std::string association = association_of(word);
@@ -309,6 +310,11 @@ void read_events(const HmTable& table, RecordBuilder& builder, EventPlaces& even
         dating.values.notes = table.others(row, kKnown);
         events.emplace(table.value(row, "theta"), builder.record.datings.size());
         builder.record.datings.push_back(std::move(dating));
+    }
+    if (repeated > 0) {
+        builder.note({table.file(), 0, {}}, "repeated",
+                     fmt::format("{} events stand here again, same laboratory number and context; the first count",
+                                 repeated));
     }
 }
 
