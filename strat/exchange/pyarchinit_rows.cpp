@@ -9,6 +9,7 @@
 
 #include "core/base/text.hpp"
 #include "strat/exchange/pyarchinit_relations.hpp"
+#include "strat/exchange/unit_fields.hpp"
 
 namespace planum::strat {
 
@@ -69,35 +70,15 @@ bool is_empty_value(std::string_view value) {
     return value.empty() || value == "[]" || value == "None" || value == "[['']]" || value == "[['', '']]";
 }
 
-std::string one_line(std::string_view value) {
-    std::string out(value);
-    std::replace(out.begin(), out.end(), '\n', ' ');
-    return out;
-}
-
-void add_custom(ImportedUnit& unit, std::string_view name, std::string_view value) {
-    std::string& custom = unit.values.details["custom"];
-    custom += fmt::format("{}{}={}", custom.empty() ? "" : "\n", name, one_line(value));
-}
-
 void append(std::string& text, std::string_view more) {
     if (more.empty() || text == more) return;
     text += (text.empty() ? "" : "\n") + std::string(more);
 }
 
-// "Strato di terra", "Taglio", "Stone wall": the whole, the first word or the last one.
-std::optional<model::KindAndForm> kind_of(std::string_view definition) {
-    if (definition.empty()) return std::nullopt;
-    if (const auto kind = model::kind_from_any_word(definition)) return kind;
-    if (const auto kind = model::kind_from_any_word(definition.substr(0, definition.find(' ')))) return kind;
-    const std::size_t last = definition.rfind(' ');
-    return last == std::string_view::npos ? std::nullopt : model::kind_from_any_word(definition.substr(last + 1));
-}
-
 void read_kind(const PyarchinitRow& row, bool is_dug, ImportedUnit& unit) {
     const std::string_view type = row.get("unita_tipo");
     if (!is_dug) {
-        add_custom(unit, "unit_type", type);
+        add_custom_field(unit, "unit_type", type);
         return;
     }
     const std::string folded = text::fold_case(type);
@@ -105,7 +86,7 @@ void read_kind(const PyarchinitRow& row, bool is_dug, ImportedUnit& unit) {
     if (folded == "usm" || folded == "wsu" || folded == "usr") {
         kind = model::KindAndForm{model::UnitKind::Structure, model::UnitForm::Masonry};
     } else {
-        kind = kind_of(row.get("d_stratigrafica"));
+        kind = kind_from_definition(row.get("d_stratigrafica"));
     }
     if (!kind) return;
     unit.values.kind = kind->kind;
@@ -128,7 +109,7 @@ void read_details(const PyarchinitRow& row, ImportedUnit& unit) {
         const auto* const known = std::find_if(kDetails.begin(), kDetails.end(),
                                                [&name = column](const DetailColumn& entry) { return entry.column == name; });
         if (known == kDetails.end()) {
-            add_custom(unit, column, trimmed);
+            add_custom_field(unit, column, trimmed);
         } else {
             unit.values.details[std::string(known->field)] = trimmed;
         }
@@ -318,7 +299,7 @@ void PyarchinitRows::state(const PyarchinitRow& row, const UnitName& unit, const
         relation.area.empty() ? builder_.name(unit.area, relation.target) : name_of(row, relation.area, relation.target);
     if (relation.symbol && (not_dug_.contains(unit) || not_dug_.contains(target))) {
         // `>` and `>>` tie reconstructions to their sources there; that is no order in the ground.
-        add_custom(builder_.unit(unit, place), "extended_matrix", relation.raw);
+        add_custom_field(builder_.unit(unit, place), "extended_matrix", relation.raw);
         note(row, place, "extended-matrix-link",
                       fmt::format("unit {}: a link of the Extended Matrix to a node that is not dug; kept as a note "
                                   "of the unit, not as a relation",

@@ -9,23 +9,15 @@
 
 #include "core/base/text.hpp"
 #include "strat/exchange/pyarchinit_rows.hpp"
+#include "strat/exchange/unit_fields.hpp"
 
 namespace planum::strat {
 
 namespace {
 
-using model::Year;
-
 std::optional<double> finite_number(std::string_view text) {
     const auto number = text::parse_double(text);
     return number && std::isfinite(*number) ? number : std::nullopt;
-}
-
-std::optional<Year> year_of(std::string_view text) {
-    // Years come as whole numbers or, from databases, as -1200.0.
-    const auto number = finite_number(text);
-    if (!number || std::abs(*number) > 1e6) return std::nullopt;
-    return static_cast<Year>(std::llround(*number));
 }
 
 std::string joined(std::string_view first, std::string_view second) {
@@ -69,8 +61,8 @@ void PyarchinitRows::read_period(const PyarchinitRow& row) {
         note(row, place, "unparsed", "a row of the periods without number of a period; left out");
         return;
     }
-    auto from = year_of(row.get("cron_iniziale"));
-    auto to = year_of(row.get("cron_finale"));
+    auto from = year_from_text(row.get("cron_iniziale"));
+    auto to = year_from_text(row.get("cron_finale"));
     if (from && to && *to < *from) {
         note(row, place, "swapped-years",
                       fmt::format("period {} phase {} ends in {} before it begins in {}; taken the other way round",

@@ -8,6 +8,11 @@ namespace planum::strat {
 std::span<const Reader> all_readers() {
     static const std::array readers = {
         pyarchinit_reader(),
+        stratigraphr_reader(),
+        stratify_csv_reader(),
+        phaser_csv_reader(),
+        phaser_json_reader(),
+        polychron_reader(),
         planum_csv_reader(),
         lst_reader(),
         hmcx_reader(),

@@ -16,5 +16,10 @@ namespace planum::strat {
 [[nodiscard]] const Reader& urkesh_reader();
 
 [[nodiscard]] const Reader& pyarchinit_reader();
+[[nodiscard]] const Reader& stratigraphr_reader();
+[[nodiscard]] const Reader& stratify_csv_reader();
+[[nodiscard]] const Reader& polychron_reader();
+[[nodiscard]] const Reader& phaser_csv_reader();
+[[nodiscard]] const Reader& phaser_json_reader();
 
 } // namespace planum::strat
