@@ -169,6 +169,7 @@ void sort_record(Record& record) {
     sort_by_key(record.regions, [&](const Region& r) { return std::make_tuple(r.surface, r.section, at(r.unit), r.part, r.id); });
     sort_by_text(record.scans, [](const Scan& s) -> std::string_view { return s.name; });
     sort_by_key(record.poses, [](const ScanPose& p) { return std::tie(p.scan, p.run); });
+    sort_by_key(record.runs, [](const RegistrationRun& r) { return std::tie(r.made_at, r.name, r.id); });
     sort_by_key(record.decisions, [](const Decision& d) { return std::tie(d.made_at, d.subject_id, d.id); });
     sort_by_text(record.interpretations, [](const Interpretation& i) -> std::string_view { return i.name; });
 }

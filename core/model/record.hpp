@@ -60,6 +60,7 @@ struct Record {
     std::vector<Region> regions;
     std::vector<Scan> scans;
     std::vector<ScanPose> poses;
+    std::vector<RegistrationRun> runs;
     std::vector<Decision> decisions;
     std::vector<Interpretation> interpretations;
 };

@@ -98,7 +98,8 @@ bool has_content(const std::filesystem::path& file) {
 
 } // namespace
 
-Database::Database(std::unique_ptr<Connection> connection) noexcept : connection_(std::move(connection)) {}
+Database::Database(std::unique_ptr<Connection> connection, Access access) noexcept
+    : connection_(std::move(connection)), access_(access) {}
 
 Database::Database(Database&&) noexcept = default;
 Database& Database::operator=(Database&&) noexcept = default;
@@ -106,7 +107,13 @@ Database::~Database() = default;
 
 Database Database::open(const std::filesystem::path& file, Access access) {
     const std::string where = access == Access::Immutable ? immutable_uri(file) : file.string();
-    return Database{connect(where, file.string(), flags_of(access))};
+    Database database{connect(where, file.string(), flags_of(access)), access};
+    const bool writes = access == Access::ReadWrite || access == Access::Create;
+    // SQLite opens what it may not write read-only, without a word.
+    if (writes && sqlite3_db_readonly(database.native(), "main") == 1) {
+        throw Error(ErrorCode::Io, file.string() + ": the file is read-only");
+    }
+    return database;
 }
 
 Database Database::open_foreign(const std::filesystem::path& file) {
@@ -119,7 +126,7 @@ Database Database::open_foreign(const std::filesystem::path& file) {
 }
 
 Database Database::in_memory() {
-    return Database{connect(":memory:", "", flags_of(Access::Create))};
+    return Database{connect(":memory:", "", flags_of(Access::Create)), Access::Create};
 }
 
 Statement Database::prepare(std::string_view sql) const {
@@ -196,6 +203,10 @@ void Database::enable_foreign_keys(bool on) const {
 
 const std::string& Database::name() const noexcept {
     return connection_->name;
+}
+
+Access Database::access() const noexcept {
+    return access_;
 }
 
 sqlite3* Database::native() const noexcept {

@@ -44,7 +44,8 @@ struct FileHeader {
 /// same file may live in several threads.
 class Database {
   public:
-    /// Throws Error with the file's name in front; see Statement for the codes.
+    /// Throws Error with the file's name in front; see Statement for the codes. ReadWrite on a file that
+    /// cannot be written is Error{Io}.
     [[nodiscard]] static Database open(const std::filesystem::path& file, Access access);
 
     /// Read-only opening of a file that another program made: the header is read first, and a file left in
@@ -82,12 +83,14 @@ class Database {
     void enable_foreign_keys(bool on) const; ///< outside a transaction only
 
     [[nodiscard]] const std::string& name() const noexcept; ///< the file as it was given, for messages
+    [[nodiscard]] Access access() const noexcept;           ///< as it was opened
     [[nodiscard]] sqlite3* native() const noexcept;         ///< for core/sqlite's own wrappers
     [[nodiscard]] const Connection& connection() const noexcept { return *connection_; }
 
   private:
-    explicit Database(std::unique_ptr<Connection> connection) noexcept;
+    Database(std::unique_ptr<Connection> connection, Access access) noexcept;
     std::unique_ptr<Connection> connection_;
+    Access access_;
 };
 
 /// BEGIN IMMEDIATE … COMMIT; rolls back in the destructor when commit() was not reached.

@@ -70,6 +70,8 @@ struct VerifyProblem {
 /// process may hold the same file, busy waits last at most ten seconds.
 class ProjectFile {
   public:
+    struct State; ///< known inside core/store only
+
     /// Makes a new file. Throws Conflict when it exists already, Usage when the name does not end in .gpkg.
     static ProjectFile create(const std::filesystem::path& file, const model::ProjectSettings& settings,
                               const Environment& environment);
@@ -182,7 +184,6 @@ class ProjectFile {
     [[nodiscard]] std::string canonical_dump() const;
 
   private:
-    struct State;
     explicit ProjectFile(std::unique_ptr<State> state) noexcept;
     std::unique_ptr<State> state_;
 };

@@ -253,7 +253,7 @@ CREATE TABLE level (
   fid INTEGER PRIMARY KEY NOT NULL,
   geom POINT CHECK (substr(geom, 1, 2) = x'4750'),
   uuid TEXT UNIQUE CHECK (length(uuid) = 36),
-  unit TEXT REFERENCES unit(uuid),
+  unit TEXT NOT NULL REFERENCES unit(uuid),
   x REAL CHECK (x BETWEEN -1e9 AND 1e9),
   y REAL CHECK (y BETWEEN -1e9 AND 1e9),
   z REAL NOT NULL CHECK (z BETWEEN -100000 AND 100000),
@@ -296,7 +296,8 @@ CREATE TABLE dating (
   bp_error REAL CHECK (bp_error BETWEEN -1e9 AND 1e9),
   association TEXT,
   notes TEXT,
-  deleted_at DATETIME
+  deleted_at DATETIME,
+  CHECK (unit IS NOT NULL OR find IS NOT NULL)
 );
 
 CREATE TABLE sample (

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "core/store/state.hpp"
+
+namespace planum::store {
+
+namespace {
+
+constexpr std::string_view kSelectHistory =
+    "SELECT fid, label, author, made_at, state <> 'done' FROM planum_change ORDER BY fid DESC LIMIT :most";
+// No index on the record: the log is written far more often than it is read.
+constexpr std::string_view kSelectLog =
+    "SELECT made_at, author, action, table_name, record, field, old_value, new_value, change FROM planum_log "
+    "WHERE :record IS NULL OR record = :record ORDER BY fid DESC LIMIT :most";
+
+std::int64_t limit_of(std::size_t most) {
+    constexpr std::size_t kMost = 0x7FFFFFFF;
+    return static_cast<std::int64_t>(most < kMost ? most : kMost);
+}
+
+} // namespace
+
+std::vector<ChangeEntry> ProjectFile::history(std::size_t most) const {
+    state_->wait_for_check();
+    sqlite::Statement rows = state_->database.prepare(kSelectHistory);
+    rows.bind(":most", limit_of(most));
+    std::vector<ChangeEntry> entries;
+    while (rows.step()) {
+        entries.push_back({rows.integer(0), std::string{rows.text(1)}, std::string{rows.text(2)},
+                           std::string{rows.text(3)}, rows.integer(4) != 0});
+    }
+    return entries;
+}
+
+std::vector<LogEntry> ProjectFile::log(std::optional<Uuid> record, std::size_t most) const {
+    state_->wait_for_check();
+    sqlite::Statement rows = state_->database.prepare(kSelectLog);
+    rows.bind(":most", limit_of(most));
+    if (record) rows.bind(":record", std::string_view{record->to_string()});
+    std::vector<LogEntry> entries;
+    while (rows.step()) {
+        entries.push_back({std::string{rows.text(0)}, std::string{rows.text(1)}, std::string{rows.text(2)},
+                           std::string{rows.text(3)}, std::string{rows.text(4)}, std::string{rows.text(5)},
+                           std::string{rows.text(6)}, std::string{rows.text(7)}, rows.integer(8)});
+    }
+    return entries;
+}
+
+} // namespace planum::store

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/model/record.hpp"
+#include "core/sqlite/database.hpp"
+
+namespace planum::store {
+
+/// The living record, sorted. What refers to a record that was deleted (in QGIS, say) refers to none, and
+/// what makes no sense without it is left out. Throws BadInput naming the table for what cannot be read.
+[[nodiscard]] model::Record load_record(const sqlite::Database& database);
+
+[[nodiscard]] model::ProjectSettings load_settings(const sqlite::Database& database);
+
+} // namespace planum::store
