@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "scans/formats/scan_reader.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "core/base/text.hpp"
+#include "scans/formats/readers.hpp"
+
+namespace planum::scans {
+
+namespace {
+
+constexpr std::uint64_t kLargestPoseFile = 65536;
+
+bool is_date(std::string_view s) noexcept {
+    if (s.size() < 10 || s[4] != '-' || s[7] != '-') return false;
+    for (const std::size_t i : {0U, 1U, 2U, 3U, 5U, 6U, 8U, 9U}) {
+        if (s[i] < '0' || s[i] > '9') return false;
+    }
+    const int month = (s[5] - '0') * 10 + (s[6] - '0');
+    const int day = (s[8] - '0') * 10 + (s[9] - '0');
+    return month >= 1 && month <= 12 && day >= 1 && day <= 31;
+}
+
+std::optional<std::string> read_pose_beside(const std::filesystem::path& file) {
+    std::filesystem::path pose = file;
+    pose.replace_extension(".pose");
+    std::error_code ignored;
+    if (!std::filesystem::exists(pose, ignored)) return std::nullopt;
+    return read_file(pose, kLargestPoseFile);
+}
+
+std::unique_ptr<ScanReader> open_scan_as(std::unique_ptr<ByteSource> source, ScanFormat format,
+                                         const OpenOptions& options, Progress& progress,
+                                         const std::optional<std::string>& companion) {
+    switch (format) {
+    case ScanFormat::Ptx: return make_ptx_reader(std::move(source), progress);
+    case ScanFormat::E57: return make_e57_reader(std::move(source));
+    case ScanFormat::Las: return make_las_reader(std::move(source));
+    case ScanFormat::Ply: return make_ply_reader(std::move(source));
+    case ScanFormat::Pcd: return make_pcd_reader(std::move(source));
+    case ScanFormat::Pts: return make_pts_reader(std::move(source), progress);
+    case ScanFormat::Xyz: return make_xyz_reader(std::move(source), options, progress);
+    case ScanFormat::ThreeDtk: return make_3dtk_reader(std::move(source), companion, progress);
+    }
+    throw Error(ErrorCode::Internal, "no reader for this scan format");
+}
+
+} // namespace
+
+ReadSummary ScanReader::read(std::size_t cloud, const PointSink& sink, const ReadOptions& options,
+                             Progress& progress) {
+    if (cloud >= clouds_.size()) {
+        throw Error(ErrorCode::Usage, fmt::format("no cloud #{}: the file has {}", cloud + 1, clouds_.size()));
+    }
+    return read_cloud(cloud, sink, options, progress);
+}
+
+std::string ScanReader::read_image(std::size_t image) const {
+    if (image >= info_.images.size()) {
+        throw Error(ErrorCode::Usage, fmt::format("no image #{}: the file has {}", image + 1, info_.images.size()));
+    }
+    return read_image_bytes(image);
+}
+
+std::string ScanReader::read_image_bytes(std::size_t /*image*/) const {
+    return {}; // never called: only formats that list images have them
+}
+
+std::string_view format_name(ScanFormat format) noexcept {
+    switch (format) {
+    case ScanFormat::Ptx: return "PTX";
+    case ScanFormat::E57: return "E57";
+    case ScanFormat::Las: return "LAS";
+    case ScanFormat::Ply: return "PLY";
+    case ScanFormat::Pcd: return "PCD";
+    case ScanFormat::Pts: return "PTS";
+    case ScanFormat::Xyz: return "XYZ";
+    case ScanFormat::ThreeDtk: return "3DTK";
+    }
+    return "?";
+}
+
+std::optional<ScanFormat> guess_format(const ByteSource& source, std::string_view ending) {
+    const std::string head = source.read_string(0, std::min<std::uint64_t>(source.size(), 64));
+    if (head.starts_with("ASTM-E57")) return ScanFormat::E57;
+    if (head.starts_with("LASF")) return ScanFormat::Las;
+    if (head.starts_with("ply\n") || head.starts_with("ply\r\n")) return ScanFormat::Ply;
+    if (head.starts_with("# .PCD") || head.starts_with("VERSION ")) return ScanFormat::Pcd;
+    const std::string folded = text::fold_case(ending);
+    if (folded == ".ptx") return ScanFormat::Ptx;
+    if (folded == ".e57") return ScanFormat::E57;
+    if (folded == ".las" || folded == ".laz") return ScanFormat::Las;
+    if (folded == ".ply") return ScanFormat::Ply;
+    if (folded == ".pcd") return ScanFormat::Pcd;
+    if (folded == ".pts") return ScanFormat::Pts;
+    if (folded == ".3d") return ScanFormat::ThreeDtk;
+    if (folded == ".xyz" || folded == ".csv" || folded == ".txt" || folded == ".asc") return ScanFormat::Xyz;
+    return std::nullopt;
+}
+
+std::unique_ptr<ScanReader> open_scan(std::unique_ptr<ByteSource> source, ScanFormat format,
+                                      const OpenOptions& options, Progress& progress,
+                                      std::optional<std::string> companion) {
+    return open_scan_as(std::move(source), format, options, progress, companion);
+}
+
+std::unique_ptr<ScanReader> open_scan(const std::filesystem::path& file, const OpenOptions& options,
+                                      Progress& progress) {
+    std::unique_ptr<ByteSource> source = open_file_source(file);
+    try {
+        const std::optional<ScanFormat> format = guess_format(*source, file.extension().string());
+        if (!format) {
+            throw Error(ErrorCode::BadInput, "no scan format by its content or ending; known are .ptx .e57 .las .ply "
+                                             ".pcd .pts .xyz .csv .txt .asc .3d");
+        }
+        const std::optional<std::string> companion =
+            *format == ScanFormat::ThreeDtk ? read_pose_beside(file) : std::nullopt;
+        return open_scan_as(std::move(source), *format, options, progress, companion);
+    } catch (Error& e) {
+        e.add_context(file.string());
+        throw;
+    }
+}
+
+std::optional<std::string> day_of_folder(const std::filesystem::path& file) {
+    for (std::filesystem::path folder = file.parent_path(); folder.has_filename(); folder = folder.parent_path()) {
+        const std::string name = folder.filename().string();
+        const bool ends = name.size() == 10 || (name.size() > 10 && (name[10] == ' ' || name[10] == '_' || name[10] == '-'));
+        if (ends && is_date(name)) return name.substr(0, 10);
+    }
+    return std::nullopt;
+}
+
+} // namespace planum::scans
