@@ -11,4 +11,8 @@ namespace planum::test {
 /// name on stderr, where it is absent. $PLANUM_SHARED_DATA says another place.
 [[nodiscard]] std::optional<std::filesystem::path> real_data(std::string_view relative);
 
+/// The repository, and the folder it is built in.
+[[nodiscard]] std::filesystem::path source_folder();
+[[nodiscard]] std::filesystem::path binary_folder();
+
 } // namespace planum::test

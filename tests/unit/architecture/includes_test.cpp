@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/real_data.hpp"
 
 namespace fs = std::filesystem;
 
@@ -44,7 +45,7 @@ Layers read_layers(std::istream& in) {
 }
 
 Layers read_layers() {
-    std::ifstream in(fs::path(PLANUM_SOURCE_DIR) / "cmake/layers.txt");
+    std::ifstream in(planum::test::source_folder() / "cmake/layers.txt");
     REQUIRE(in);
     return read_layers(in);
 }
@@ -107,7 +108,7 @@ std::vector<std::string> violations(const Layers& layers, const std::string& pat
 
 TEST_CASE("No file includes what the layer table does not allow") {
     const Layers layers = read_layers();
-    const fs::path root = PLANUM_SOURCE_DIR;
+    const fs::path root = planum::test::source_folder();
     std::vector<std::string> bad;
     std::size_t files = 0;
     for (const auto& [folder, layer] : layers) {
@@ -138,7 +139,7 @@ TEST_CASE("The include test sees an include that the table does not allow") {
 }
 
 TEST_CASE("Only files of core/store hold SQL on the project's tables") {
-    const fs::path root = PLANUM_SOURCE_DIR;
+    const fs::path root = planum::test::source_folder();
     const std::regex sql("\"[^\"]*\\b(INSERT INTO|UPDATE [a-z_]+ SET|DELETE FROM)\\b");
     std::vector<std::string> bad;
     for (const char* folder : {"app", "cli", "gui", "paint", "scans", "strat", "core/model", "core/geometry"}) {

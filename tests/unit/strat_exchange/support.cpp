@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/real_data.hpp"
+
 namespace planum::test {
 
 namespace {
@@ -93,13 +95,13 @@ std::vector<strat::InputFile> load_folder(const std::filesystem::path& path) {
 }
 
 std::vector<strat::InputFile> sample(std::string_view name) {
-    return load_folder(std::filesystem::path{PLANUM_SOURCE_DIR} / "tests/data/exchange" / name);
+    return load_folder(planum::test::source_folder() / "tests/data/exchange" / name);
 }
 
 std::map<std::string, std::vector<strat::InputFile>> all_samples() {
     std::map<std::string, std::vector<strat::InputFile>> samples;
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path{PLANUM_SOURCE_DIR} / "tests/data/exchange")) {
+         std::filesystem::directory_iterator(planum::test::source_folder() / "tests/data/exchange")) {
         if (entry.is_directory()) samples[entry.path().filename().string()] = load_folder(entry.path());
     }
     return samples;
