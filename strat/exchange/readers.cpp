@@ -12,6 +12,8 @@ std::span<const Reader> all_readers() {
         stratify_csv_reader(),
         phaser_csv_reader(),
         phaser_json_reader(),
+        idai_field_reader(),
+        graphml_reader(),
         polychron_reader(),
         planum_csv_reader(),
         lst_reader(),

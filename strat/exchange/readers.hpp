@@ -21,5 +21,7 @@ namespace planum::strat {
 [[nodiscard]] const Reader& polychron_reader();
 [[nodiscard]] const Reader& phaser_csv_reader();
 [[nodiscard]] const Reader& phaser_json_reader();
+[[nodiscard]] const Reader& idai_field_reader();
+[[nodiscard]] const Reader& graphml_reader();
 
 } // namespace planum::strat
