@@ -10,12 +10,17 @@ namespace {
 
 constexpr std::string_view kDigits = "0123456789abcdef";
 
-int hex_value(char c) noexcept {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
+// Value of every hexadecimal digit, -1 for all else; loading a project parses half a million ids.
+constexpr std::array<signed char, 256> kHexValues = [] {
+    std::array<signed char, 256> values{};
+    values.fill(-1);
+    for (std::size_t i = 0; i < 10; ++i) values[static_cast<std::size_t>('0') + i] = static_cast<signed char>(i);
+    for (std::size_t i = 0; i < 6; ++i) {
+        values[static_cast<std::size_t>('a') + i] = static_cast<signed char>(10 + i);
+        values[static_cast<std::size_t>('A') + i] = static_cast<signed char>(10 + i);
+    }
+    return values;
+}();
 
 bool is_hyphen_place(std::size_t i) noexcept {
     return i == 8 || i == 13 || i == 18 || i == 23;
@@ -53,19 +58,21 @@ std::string Uuid::to_string() const {
 
 std::optional<Uuid> Uuid::parse(std::string_view text) noexcept {
     if (text.size() != 36) return std::nullopt;
-    Uuid id;
-    std::size_t nibble = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (is_hyphen_place(i)) {
-            if (text[i] != '-') return std::nullopt;
-            continue;
+    if (text[8] != '-' || text[13] != '-' || text[18] != '-' || text[23] != '-') return std::nullopt;
+    int wrong = 0; // becomes negative with the first character that is no digit
+    const auto digits = [&](std::size_t from, std::size_t to) {
+        std::uint64_t value = 0;
+        for (std::size_t i = from; i < to; ++i) {
+            const int digit = kHexValues[static_cast<unsigned char>(text[i])];
+            wrong |= digit;
+            value = (value << 4U) | static_cast<std::uint64_t>(digit & 0xF);
         }
-        const int value = hex_value(text[i]);
-        if (value < 0) return std::nullopt;
-        std::uint64_t& half = nibble < 16 ? id.high : id.low;
-        half = (half << 4U) | static_cast<std::uint64_t>(value);
-        ++nibble;
-    }
+        return value;
+    };
+    Uuid id;
+    id.high = (digits(0, 8) << 32U) | (digits(9, 13) << 16U) | digits(14, 18);
+    id.low = (digits(19, 23) << 48U) | digits(24, 36);
+    if (wrong < 0) return std::nullopt;
     return id;
 }
 

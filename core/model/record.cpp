@@ -52,6 +52,32 @@ void sort_units(Record& record) {
     });
 }
 
+// Statements in the order of their relations. The place of each is looked up once: there are more statements
+// than anything else, and looking up while comparing took a third of loading a large project.
+void sort_statements(Record& record, const std::unordered_map<RelationId, std::uint32_t>& relation_place) {
+    struct Placed {
+        std::uint32_t relation;
+        std::uint32_t from;
+    };
+    const std::vector<RelationStatement>& all = record.statements;
+    std::vector<Placed> order;
+    order.reserve(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto it = relation_place.find(all[i].relation);
+        order.push_back({it == relation_place.end() ? kNoUnit : it->second, static_cast<std::uint32_t>(i)});
+    }
+    std::sort(order.begin(), order.end(), [&](const Placed& x, const Placed& y) {
+        if (x.relation != y.relation) return x.relation < y.relation;
+        const RelationStatement& a = all[x.from];
+        const RelationStatement& b = all[y.from];
+        return std::tie(a.source, a.line, a.side, a.id) < std::tie(b.source, b.line, b.side, b.id);
+    });
+    std::vector<RelationStatement> sorted;
+    sorted.reserve(order.size());
+    for (const Placed& placed : order) sorted.push_back(std::move(record.statements[placed.from]));
+    record.statements = std::move(sorted);
+}
+
 // Relations by the places of their units, then statements in the order of their relations.
 void sort_relations(Record& record, const std::unordered_map<UnitId, UnitIndex>& place) {
     const auto at = [&](UnitId id) {
@@ -78,15 +104,7 @@ void sort_relations(Record& record, const std::unordered_map<UnitId, UnitIndex>&
         sorted.push_back(record.relations[entry.from]);
     }
     record.relations = std::move(sorted);
-    const auto relation_at = [&](RelationId id) {
-        const auto it = relation_place.find(id);
-        return it == relation_place.end() ? kNoUnit : it->second;
-    };
-    std::sort(record.statements.begin(), record.statements.end(), [&](const auto& a, const auto& b) {
-        const std::uint32_t pa = relation_at(a.relation);
-        const std::uint32_t pb = relation_at(b.relation);
-        return std::tie(pa, a.source, a.line, a.side, a.id) < std::tie(pb, b.source, b.line, b.side, b.id);
-    });
+    sort_statements(record, relation_place);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "core/sqlite/database.hpp"
 
 #include <array>
+#include <mutex>
 #include <utility>
 
 #include <sqlite3.h>
@@ -81,7 +82,15 @@ void harden(const Connection& connection) {
     if (result != SQLITE_OK) throw error_of(connection, result);
 }
 
+// Memory statistics cost a lock for every allocation, a seventh of an import. Has no effect, and does no
+// harm, where another library of the process has started SQLite already.
+void configure_once() {
+    static std::once_flag once;
+    std::call_once(once, [] { sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0); });
+}
+
 std::unique_ptr<Connection> connect(const std::string& where, std::string name, int flags) {
+    configure_once();
     auto connection = std::make_unique<Connection>();
     connection->name = std::move(name);
     const int result = sqlite3_open_v2(where.c_str(), &connection->handle, flags, nullptr);

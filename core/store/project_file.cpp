@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "core/store/opening.hpp"
 #include "core/store/record_loader.hpp"
 #include "core/store/record_writer.hpp"
@@ -61,6 +62,7 @@ class ChangeScope {
     ~ChangeScope() {
         state_->in_change = false;
         state_->touched.clear();
+        state_->unlogged.clear();
         // A statement that stopped half-way would keep the rollback from ending.
         for (auto& [table, statements] : state_->statements) {
             if (statements.insert) statements.insert.reset();
@@ -94,11 +96,10 @@ ProjectFile ProjectFile::create(const std::filesystem::path& file, const model::
                     sqlite::Database::open(unfinished, sqlite::Access::Create)};
         prepare_for_writing(state.database);
         fill_new_file(state, settings);
-    } catch (Error& e) {
+    } catch (const Error& e) {
         std::error_code ignored;
         std::filesystem::remove(unfinished, ignored);
-        e.add_context(file.string());
-        throw;
+        throw Error(e.code(), text::replace_all(e.what(), unfinished.string(), file.string()));
     }
     std::error_code failure;
     std::filesystem::rename(unfinished, file, failure);
@@ -148,6 +149,7 @@ std::int64_t ProjectFile::change(std::string_view label, const std::function<voi
         sqlite::Session session(database);
         for (const std::string& table : record_tables()) session.attach(table);
         work();
+        state.log_inserts();
         changes = session.changeset();
     }
     if (changes.empty()) return 0;

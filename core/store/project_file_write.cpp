@@ -49,6 +49,7 @@ void replace_rows(ProjectFile::State& state, std::string_view table, std::string
         binder.uuid(owner);
         binder.uuid(id.value);
         insert.run();
+        state.note_insert(table);
     }
 }
 
@@ -73,10 +74,13 @@ void insert_added(ProjectFile::State& state, const model::PhysicalRelation& rela
     binder.uuid(owner);
     describe_columns(binder, relation);
     insert.run();
+    state.note_insert(kTable);
 }
 
 void update_added(ProjectFile::State& state, const model::PhysicalRelation& relation) {
     constexpr std::string_view kTable = "interpretation_added";
+    state.require_change(kTable);
+    state.log_inserts();
     sqlite::Statement& update = state.statements[std::string{kTable}].update;
     if (!update) update = state.database.prepare(update_sql(kTable, columns_of<model::PhysicalRelation>()));
     RowBinder binder(update, 1, state.srs_id);

@@ -56,6 +56,7 @@ std::string update_sql(std::string_view table, const std::vector<std::string_vie
 
 void remove_record(ProjectFile::State& state, std::string_view table, std::string_view noun, const Uuid& id) {
     state.require_change(table);
+    state.log_inserts();
     sqlite::Statement& remove = state.statements[std::string{table}].remove;
     if (!remove) {
         remove = state.database.prepare(

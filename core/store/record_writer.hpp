@@ -70,6 +70,7 @@ void insert_record(ProjectFile::State& state, const T& value, const Uuid& id) {
         binder.uuid(id);
         describe_columns(binder, value);
         insert.run();
+        state.note_insert(kTable);
     } catch (const Error& e) {
         throw explain(state, e, "adding", TableOf<T>::noun, name_of(value), area_of(value));
     }
@@ -79,6 +80,7 @@ template <class T>
 void update_record(ProjectFile::State& state, const T& value, const Uuid& id) {
     constexpr std::string_view kTable = TableOf<T>::name;
     state.require_change(kTable);
+    state.log_inserts();
     sqlite::Statement& update = state.statements[std::string{kTable}].update;
     try {
         if (!update) update = state.database.prepare(update_sql(kTable, columns_of<T>()));

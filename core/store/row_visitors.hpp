@@ -102,6 +102,8 @@ class RowBinder {
     sqlite::Statement* statement_;
     int index_;
     std::int32_t srs_id_;
+
+
 };
 
 /// Reads the members of a value from a row's columns, from `first` on. Throws BadInput, naming the table and

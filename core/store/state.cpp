@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::string_view kSetContext = "UPDATE planum_context SET author = :author, made_at = :now, change = :change";
 constexpr std::string_view kClearContext = "UPDATE planum_context SET author = NULL, made_at = NULL, change = NULL";
+// New rows get the highest row number, so all from the first one on are new.
+constexpr const char* kLogInserts = "INSERT INTO planum_log(made_at, author, action, table_name, record, change) "
+                                    "SELECT :now, :author, 'insert', :table, uuid, :change FROM {} WHERE fid >= :first";
 constexpr std::string_view kNoteChange = "UPDATE gpkg_contents SET last_change = :now WHERE table_name = :table";
 
 void check_whole_file(const std::filesystem::path& file, sqlite::Access access) {
@@ -60,15 +63,33 @@ void ProjectFile::State::require_change(std::string_view table) {
     if (!touched.contains(table)) touched.emplace(table);
 }
 
-void ProjectFile::State::set_context(std::int64_t change) const {
+void ProjectFile::State::set_context(std::int64_t change) {
     sqlite::Statement set = database.prepare(kSetContext);
     const std::string time = now();
     set.bind(":author", std::string_view{environment.author}).bind(":now", std::string_view{time});
     set.bind(":change", change).run();
+    change_number = change;
+    unlogged.clear();
 }
 
-void ProjectFile::State::clear_context() const {
+void ProjectFile::State::clear_context() {
+    log_inserts();
     database.execute(kClearContext);
+}
+
+void ProjectFile::State::note_insert(std::string_view table) {
+    if (!unlogged.contains(table)) unlogged.emplace(table, database.last_insert_rowid());
+}
+
+void ProjectFile::State::log_inserts() {
+    if (unlogged.empty()) return;
+    const std::string time = now();
+    for (const auto& [table, first] : unlogged) {
+        sqlite::Statement insert = database.prepare(fmt::format(kLogInserts, table));
+        insert.bind(":now", std::string_view{time}).bind(":author", std::string_view{environment.author});
+        insert.bind(":table", std::string_view{table}).bind(":change", change_number).bind(":first", first).run();
+    }
+    unlogged.clear();
 }
 
 void ProjectFile::State::note_last_change(const std::set<std::string, std::less<>>& tables) const {

@@ -35,6 +35,7 @@ struct ProjectFile::State {
 
     std::map<std::string, TableStatements, std::less<>> statements;
     std::set<std::string, std::less<>> touched; ///< tables written by the change that is under way
+    std::map<std::string, std::int64_t, std::less<>> unlogged; ///< table → first row inserted since log_inserts()
     bool in_change = false;
 
     /// quick_check, running on a connection of its own; invalid once it was waited for.
@@ -55,8 +56,15 @@ struct ProjectFile::State {
     /// Throws Internal outside change(): a write that no undo step would hold.
     void require_change(std::string_view table);
 
-    void set_context(std::int64_t change) const;
-    void clear_context() const;
+    void set_context(std::int64_t change);
+    void clear_context();
+    std::int64_t change_number = 0; ///< of the change that is under way
+
+    /// Notes that the row just inserted has no log entry yet.
+    void note_insert(std::string_view table);
+    /// Writes the log entries of all inserts noted so far, many rows at a time. Before any other change of a
+    /// row, so that the log keeps the order of events.
+    void log_inserts();
     /// gpkg_contents.last_change of the tables touched.
     void note_last_change(const std::set<std::string, std::less<>>& tables) const;
 };

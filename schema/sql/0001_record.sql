@@ -52,7 +52,7 @@ CREATE TABLE planum_log (
 CREATE TABLE project (
   fid INTEGER PRIMARY KEY NOT NULL,
   uuid TEXT UNIQUE CHECK (length(uuid) = 36),
-  name TEXT NOT NULL,
+  name TEXT,
   srs_id INTEGER NOT NULL DEFAULT -1,
   tolerance REAL NOT NULL DEFAULT 0.02 CHECK (tolerance > 0 AND tolerance <= 10),
   method TEXT NOT NULL DEFAULT 'stratigraphic' CHECK (method IN ('stratigraphic','planum','mixed')),

@@ -29,19 +29,15 @@ END;
 CREATE TRIGGER planum_log_unchanged BEFORE UPDATE ON planum_log BEGIN
   SELECT RAISE(ABORT, 'the log cannot be changed');
 END;
-CREATE TRIGGER project_uuid AFTER INSERT ON project WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER project_inserted AFTER INSERT ON project
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE project SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'project', (SELECT uuid FROM project WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER project_inserted AFTER INSERT ON project
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'project', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'project', (SELECT uuid FROM project WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER project_uuid_stays BEFORE UPDATE OF uuid ON project
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -62,19 +58,15 @@ CREATE TRIGGER project_changed AFTER UPDATE OF name, srs_id, tolerance, method, 
     UNION ALL SELECT 'deleted_at', OLD.deleted_at, NEW.deleted_at) f
     WHERE f.was IS NOT f.is_now;
 END;
-CREATE TRIGGER area_uuid AFTER INSERT ON area WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER area_inserted AFTER INSERT ON area
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE area SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'area', (SELECT uuid FROM area WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER area_inserted AFTER INSERT ON area
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'area', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'area', (SELECT uuid FROM area WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER area_uuid_stays BEFORE UPDATE OF uuid ON area
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -103,19 +95,15 @@ CREATE TRIGGER area_deleted AFTER DELETE ON area BEGIN
     'delete', 'area', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER source_uuid AFTER INSERT ON source WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER source_inserted AFTER INSERT ON source
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE source SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'source', (SELECT uuid FROM source WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER source_inserted AFTER INSERT ON source
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'source', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'source', (SELECT uuid FROM source WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER source_uuid_stays BEFORE UPDATE OF uuid ON source
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -144,19 +132,15 @@ CREATE TRIGGER source_deleted AFTER DELETE ON source BEGIN
     'delete', 'source', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER import_note_uuid AFTER INSERT ON import_note WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER import_note_inserted AFTER INSERT ON import_note
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE import_note SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'import_note', (SELECT uuid FROM import_note WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER import_note_inserted AFTER INSERT ON import_note
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'import_note', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'import_note', (SELECT uuid FROM import_note WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER import_note_uuid_stays BEFORE UPDATE OF uuid ON import_note
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -185,19 +169,15 @@ CREATE TRIGGER import_note_deleted AFTER DELETE ON import_note BEGIN
     'delete', 'import_note', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER period_uuid AFTER INSERT ON period WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER period_inserted AFTER INSERT ON period
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE period SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'period', (SELECT uuid FROM period WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER period_inserted AFTER INSERT ON period
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'period', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'period', (SELECT uuid FROM period WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER period_uuid_stays BEFORE UPDATE OF uuid ON period
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -227,19 +207,15 @@ CREATE TRIGGER period_deleted AFTER DELETE ON period BEGIN
     'delete', 'period', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER phase_uuid AFTER INSERT ON phase WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER phase_inserted AFTER INSERT ON phase
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE phase SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'phase', (SELECT uuid FROM phase WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER phase_inserted AFTER INSERT ON phase
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'phase', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'phase', (SELECT uuid FROM phase WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER phase_uuid_stays BEFORE UPDATE OF uuid ON phase
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -270,19 +246,15 @@ CREATE TRIGGER phase_deleted AFTER DELETE ON phase BEGIN
     'delete', 'phase', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER unit_uuid AFTER INSERT ON unit WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER unit_inserted AFTER INSERT ON unit
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE unit SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'unit', (SELECT uuid FROM unit WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER unit_inserted AFTER INSERT ON unit
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'unit', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'unit', (SELECT uuid FROM unit WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER unit_uuid_stays BEFORE UPDATE OF uuid ON unit
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -393,19 +365,15 @@ CREATE TRIGGER unit_takes_along AFTER UPDATE OF deleted_at ON unit
   UPDATE interpretation_added SET deleted_at = NEW.deleted_at WHERE subject = NEW.uuid AND deleted_at IS NULL;
   UPDATE interpretation_added SET deleted_at = NEW.deleted_at WHERE object = NEW.uuid AND deleted_at IS NULL;
 END;
-CREATE TRIGGER relation_uuid AFTER INSERT ON relation WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER relation_inserted AFTER INSERT ON relation
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE relation SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'relation', (SELECT uuid FROM relation WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER relation_inserted AFTER INSERT ON relation
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'relation', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'relation', (SELECT uuid FROM relation WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER relation_uuid_stays BEFORE UPDATE OF uuid ON relation
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -439,19 +407,15 @@ CREATE TRIGGER relation_takes_along AFTER UPDATE OF deleted_at ON relation
   WHEN OLD.deleted_at IS NULL AND NEW.deleted_at IS NOT NULL BEGIN
   UPDATE relation_statement SET deleted_at = NEW.deleted_at WHERE relation = NEW.uuid AND deleted_at IS NULL;
 END;
-CREATE TRIGGER relation_statement_uuid AFTER INSERT ON relation_statement WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER relation_statement_inserted AFTER INSERT ON relation_statement
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE relation_statement SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'relation_statement', (SELECT uuid FROM relation_statement WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER relation_statement_inserted AFTER INSERT ON relation_statement
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'relation_statement', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'relation_statement', (SELECT uuid FROM relation_statement WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER relation_statement_uuid_stays BEFORE UPDATE OF uuid ON relation_statement
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -482,19 +446,15 @@ CREATE TRIGGER relation_statement_deleted AFTER DELETE ON relation_statement BEG
     'delete', 'relation_statement', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER unit_group_uuid AFTER INSERT ON unit_group WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER unit_group_inserted AFTER INSERT ON unit_group
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE unit_group SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'unit_group', (SELECT uuid FROM unit_group WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER unit_group_inserted AFTER INSERT ON unit_group
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'unit_group', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'unit_group', (SELECT uuid FROM unit_group WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER unit_group_uuid_stays BEFORE UPDATE OF uuid ON unit_group
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -528,19 +488,15 @@ CREATE TRIGGER unit_group_takes_along AFTER UPDATE OF deleted_at ON unit_group
   WHEN OLD.deleted_at IS NULL AND NEW.deleted_at IS NOT NULL BEGIN
   UPDATE group_member SET deleted_at = NEW.deleted_at WHERE unit_group = NEW.uuid AND deleted_at IS NULL;
 END;
-CREATE TRIGGER group_member_uuid AFTER INSERT ON group_member WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER group_member_inserted AFTER INSERT ON group_member
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE group_member SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'group_member', (SELECT uuid FROM group_member WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER group_member_inserted AFTER INSERT ON group_member
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'group_member', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'group_member', (SELECT uuid FROM group_member WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER group_member_uuid_stays BEFORE UPDATE OF uuid ON group_member
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -566,19 +522,15 @@ CREATE TRIGGER group_member_deleted AFTER DELETE ON group_member BEGIN
     'delete', 'group_member', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER level_uuid AFTER INSERT ON level WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER level_inserted AFTER INSERT ON level
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE level SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'level', (SELECT uuid FROM level WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER level_inserted AFTER INSERT ON level
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'level', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'level', (SELECT uuid FROM level WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER level_uuid_stays BEFORE UPDATE OF uuid ON level
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -609,19 +561,15 @@ CREATE TRIGGER level_deleted AFTER DELETE ON level BEGIN
     'delete', 'level', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER find_uuid AFTER INSERT ON find WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER find_inserted AFTER INSERT ON find
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE find SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'find', (SELECT uuid FROM find WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER find_inserted AFTER INSERT ON find
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'find', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'find', (SELECT uuid FROM find WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER find_uuid_stays BEFORE UPDATE OF uuid ON find
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -659,19 +607,15 @@ CREATE TRIGGER find_deleted AFTER DELETE ON find BEGIN
     'delete', 'find', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER dating_uuid AFTER INSERT ON dating WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER dating_inserted AFTER INSERT ON dating
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE dating SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'dating', (SELECT uuid FROM dating WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER dating_inserted AFTER INSERT ON dating
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'dating', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'dating', (SELECT uuid FROM dating WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER dating_uuid_stays BEFORE UPDATE OF uuid ON dating
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -705,19 +649,15 @@ CREATE TRIGGER dating_deleted AFTER DELETE ON dating BEGIN
     'delete', 'dating', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER sample_uuid AFTER INSERT ON sample WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER sample_inserted AFTER INSERT ON sample
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE sample SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'sample', (SELECT uuid FROM sample WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER sample_inserted AFTER INSERT ON sample
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'sample', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'sample', (SELECT uuid FROM sample WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER sample_uuid_stays BEFORE UPDATE OF uuid ON sample
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -749,19 +689,15 @@ CREATE TRIGGER sample_deleted AFTER DELETE ON sample BEGIN
     'delete', 'sample', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER document_uuid AFTER INSERT ON document WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER document_inserted AFTER INSERT ON document
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE document SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'document', (SELECT uuid FROM document WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER document_inserted AFTER INSERT ON document
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'document', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'document', (SELECT uuid FROM document WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER document_uuid_stays BEFORE UPDATE OF uuid ON document
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -792,19 +728,15 @@ CREATE TRIGGER document_deleted AFTER DELETE ON document BEGIN
     'delete', 'document', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER surface_uuid AFTER INSERT ON surface WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER surface_inserted AFTER INSERT ON surface
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE surface SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'surface', (SELECT uuid FROM surface WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER surface_inserted AFTER INSERT ON surface
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'surface', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'surface', (SELECT uuid FROM surface WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER surface_uuid_stays BEFORE UPDATE OF uuid ON surface
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -834,19 +766,15 @@ CREATE TRIGGER surface_deleted AFTER DELETE ON surface BEGIN
     'delete', 'surface', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER section_uuid AFTER INSERT ON section WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER section_inserted AFTER INSERT ON section
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE section SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'section', (SELECT uuid FROM section WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER section_inserted AFTER INSERT ON section
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'section', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'section', (SELECT uuid FROM section WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER section_uuid_stays BEFORE UPDATE OF uuid ON section
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -874,19 +802,15 @@ CREATE TRIGGER section_deleted AFTER DELETE ON section BEGIN
     'delete', 'section', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER region_uuid AFTER INSERT ON region WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER region_inserted AFTER INSERT ON region
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE region SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'region', (SELECT uuid FROM region WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER region_inserted AFTER INSERT ON region
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'region', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'region', (SELECT uuid FROM region WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER region_uuid_stays BEFORE UPDATE OF uuid ON region
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -922,19 +846,15 @@ CREATE TRIGGER region_deleted AFTER DELETE ON region BEGIN
     'delete', 'region', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER scan_uuid AFTER INSERT ON scan WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER scan_inserted AFTER INSERT ON scan
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE scan SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'scan', (SELECT uuid FROM scan WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER scan_inserted AFTER INSERT ON scan
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'scan', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'scan', (SELECT uuid FROM scan WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER scan_uuid_stays BEFORE UPDATE OF uuid ON scan
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -976,19 +896,15 @@ CREATE TRIGGER scan_takes_along AFTER UPDATE OF deleted_at ON scan
   WHEN OLD.deleted_at IS NULL AND NEW.deleted_at IS NOT NULL BEGIN
   UPDATE scan_pose SET deleted_at = NEW.deleted_at WHERE scan = NEW.uuid AND deleted_at IS NULL;
 END;
-CREATE TRIGGER registration_run_uuid AFTER INSERT ON registration_run WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER registration_run_inserted AFTER INSERT ON registration_run
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE registration_run SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'registration_run', (SELECT uuid FROM registration_run WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER registration_run_inserted AFTER INSERT ON registration_run
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'registration_run', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'registration_run', (SELECT uuid FROM registration_run WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER registration_run_uuid_stays BEFORE UPDATE OF uuid ON registration_run
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -1017,19 +933,15 @@ CREATE TRIGGER registration_run_deleted AFTER DELETE ON registration_run BEGIN
     'delete', 'registration_run', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER scan_pose_uuid AFTER INSERT ON scan_pose WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER scan_pose_inserted AFTER INSERT ON scan_pose
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE scan_pose SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'scan_pose', (SELECT uuid FROM scan_pose WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER scan_pose_inserted AFTER INSERT ON scan_pose
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'scan_pose', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'scan_pose', (SELECT uuid FROM scan_pose WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER scan_pose_uuid_stays BEFORE UPDATE OF uuid ON scan_pose
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -1061,19 +973,15 @@ CREATE TRIGGER scan_pose_deleted AFTER DELETE ON scan_pose BEGIN
     'delete', 'scan_pose', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER decision_uuid AFTER INSERT ON decision WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER decision_inserted AFTER INSERT ON decision
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE decision SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'decision', (SELECT uuid FROM decision WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER decision_inserted AFTER INSERT ON decision
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'decision', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'decision', (SELECT uuid FROM decision WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER decision_uuid_stays BEFORE UPDATE OF uuid ON decision
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -1105,19 +1013,15 @@ CREATE TRIGGER decision_deleted AFTER DELETE ON decision BEGIN
     'delete', 'decision', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER interpretation_uuid AFTER INSERT ON interpretation WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER interpretation_inserted AFTER INSERT ON interpretation
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE interpretation SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'interpretation', (SELECT uuid FROM interpretation WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER interpretation_inserted AFTER INSERT ON interpretation
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'interpretation', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'interpretation', (SELECT uuid FROM interpretation WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER interpretation_uuid_stays BEFORE UPDATE OF uuid ON interpretation
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -1152,19 +1056,15 @@ CREATE TRIGGER interpretation_takes_along AFTER UPDATE OF deleted_at ON interpre
   UPDATE interpretation_added SET deleted_at = NEW.deleted_at WHERE interpretation = NEW.uuid AND deleted_at IS NULL;
   UPDATE interpretation_dropped SET deleted_at = NEW.deleted_at WHERE interpretation = NEW.uuid AND deleted_at IS NULL;
 END;
-CREATE TRIGGER interpretation_added_uuid AFTER INSERT ON interpretation_added WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER interpretation_added_inserted AFTER INSERT ON interpretation_added
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE interpretation_added SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'interpretation_added', (SELECT uuid FROM interpretation_added WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER interpretation_added_inserted AFTER INSERT ON interpretation_added
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'interpretation_added', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'interpretation_added', (SELECT uuid FROM interpretation_added WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER interpretation_added_uuid_stays BEFORE UPDATE OF uuid ON interpretation_added
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
@@ -1194,19 +1094,15 @@ CREATE TRIGGER interpretation_added_deleted AFTER DELETE ON interpretation_added
     'delete', 'interpretation_added', OLD.uuid, 'deleted_at', c.change FROM planum_context c
     WHERE OLD.deleted_at IS NULL;
 END;
-CREATE TRIGGER interpretation_dropped_uuid AFTER INSERT ON interpretation_dropped WHEN NEW.uuid IS NULL BEGIN
+CREATE TRIGGER interpretation_dropped_inserted AFTER INSERT ON interpretation_dropped
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
   UPDATE interpretation_dropped SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
-    WHERE fid = NEW.fid;
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
+    WHERE fid = NEW.fid AND uuid IS NULL;
+  INSERT INTO planum_log(made_at, author, action, table_name, record) SELECT
     coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'interpretation_dropped', (SELECT uuid FROM interpretation_dropped WHERE fid = NEW.fid), c.change FROM planum_context c;
-END;
-CREATE TRIGGER interpretation_dropped_inserted AFTER INSERT ON interpretation_dropped
-  WHEN NEW.uuid IS NOT NULL AND NEW.deleted_at IS NULL BEGIN
-  INSERT INTO planum_log(made_at, author, action, table_name, record, change) SELECT
-    coalesce(c.made_at, strftime('%Y-%m-%dT%H:%M:%fZ','now')), coalesce(c.author, 'outside Planum'),
-    'insert', 'interpretation_dropped', NEW.uuid, c.change FROM planum_context c;
+    'insert', 'interpretation_dropped', (SELECT uuid FROM interpretation_dropped WHERE fid = NEW.fid) FROM planum_context c
+    WHERE NEW.deleted_at IS NULL;
 END;
 CREATE TRIGGER interpretation_dropped_uuid_stays BEFORE UPDATE OF uuid ON interpretation_dropped
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
