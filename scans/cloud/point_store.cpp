@@ -66,6 +66,13 @@ void copy_all(const NodeView& view, FoundPoints& found, const Columns& columns) 
     }
 }
 
+/// Keeps the first `count`, which in a block are a thinned sample of it.
+void keep_first(FoundPoints& found, std::size_t count, const Columns& columns) {
+    if (found.index.size() <= count) return;
+    found.index.resize(count);
+    found.points.resize(count, columns);
+}
+
 /// The points of one node that `contains` takes.
 template <class Contains>
 void filter_node(const NodeView& view, Overlap overlap, const Columns& columns, const Contains& contains, FoundPoints& found) {
@@ -259,24 +266,34 @@ std::uint64_t PointStore::in_frustum(const Frustum& frustum, std::uint64_t budge
     std::priority_queue<Waiting> waiting;
     const auto offer = [&](std::uint32_t node) {
         const Box box = s.box_of(node);
-        if (plane_overlap(frustum, box) == Overlap::None) return;
+        if (plane_overlap(frustum, box) == Overlap::None) return false;
         const double distance = std::sqrt(squared_distance(box, frustum.eye));
         const double edge = std::ldexp(kRootEdge, -s.nodes[node].depth);
         waiting.push({edge / std::max(distance, 0.01), node});
+        return true;
     };
-    for (std::uint32_t root = 0; root < s.header.roots; ++root) offer(root);
     FoundPoints found;
-    std::uint64_t given = 0;
-    while (!waiting.empty()) {
-        const std::uint32_t node = waiting.top().node;
-        waiting.pop();
+    const auto look_at = [&](std::uint32_t node) {
         const Overlap overlap = plane_overlap(frustum, s.box_of(node));
         clear(found, node);
         filter_node(s.view(node), overlap, s.info.has, [&](const Eigen::Vector3d& x) { return frustum.contains(x); }, found);
-        if (given + found.index.size() > budget) break;
+    };
+    std::uint64_t in_roots = 0;
+    for (std::uint32_t root = 0; root < s.header.roots; ++root) {
+        if (offer(root)) in_roots += s.nodes[root].points;
+    }
+    // Where not even the roots fit, each gives the same share, so that nothing near or far is missing.
+    const double share = in_roots <= budget ? 1.0 : static_cast<double>(budget) / static_cast<double>(in_roots);
+    std::uint64_t given = 0;
+    while (!waiting.empty() && given < budget) {
+        const std::uint32_t node = waiting.top().node;
+        waiting.pop();
+        look_at(node);
+        if (share < 1.0) keep_first(found, static_cast<std::size_t>(share * static_cast<double>(found.index.size())), s.info.has);
+        keep_first(found, static_cast<std::size_t>(budget - given), s.info.has);
         given += found.index.size();
         if (!found.index.empty()) sink(found);
-        for_children(s.nodes[node], offer);
+        if (share == 1.0) for_children(s.nodes[node], offer);
     }
     return given;
 }

@@ -77,8 +77,9 @@ class PointStore {
     void in_box(const Box& box, const FoundSink& sink) const;
     void in_prism(const Prism& prism, const FoundSink& sink) const;
 
-    /// At most `budget` points: whole nodes from coarse to fine, what looks largest from the eye first.
-    /// With a budget of points() or more these are all points in the frustum. Returns their number.
+    /// At most `budget` points: nodes from coarse to fine, what looks largest from the eye first; where not
+    /// even the coarsest nodes fit, the same share of each. With a budget of points() or more these are
+    /// all points in the frustum. Returns their number.
     std::uint64_t in_frustum(const Frustum& frustum, std::uint64_t budget, const FoundSink& sink) const;
 
     /// The first point along a ray; of equally near ones the one with the smaller PointRef.

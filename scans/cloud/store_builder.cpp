@@ -68,6 +68,48 @@ class Sampler {
 
 static_assert(32U - kDeepest >= kSampleBits);
 
+/// Puts the points of one block from coarse to fine: in front those that come first in their cell of a
+/// 2 × 2 × 2 grid, then of 4 × 4 × 4 and so on. So any first part of a block is a thinned sample of it.
+class CoarseToFine {
+  public:
+    [[nodiscard]] std::span<const PackedPoint> order(std::span<const PackedPoint> points, unsigned depth) {
+        for (std::vector<bool>& level : taken_) std::fill(level.begin(), level.end(), false);
+        std::array<std::size_t, kLevels + 2> from{};
+        levels_.resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            levels_[i] = level_of(points[i], depth);
+            ++from[levels_[i] + 1U];
+        }
+        for (std::size_t level = 1; level < from.size(); ++level) from[level] += from[level - 1];
+        ordered_.resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) ordered_[from[levels_[i]]++] = points[i];
+        return ordered_;
+    }
+
+  private:
+    static constexpr std::size_t kLevels = 5;
+
+    [[nodiscard]] std::uint8_t level_of(const PackedPoint& point, unsigned depth) {
+        auto level = static_cast<std::uint8_t>(kLevels);
+        // From fine to coarse: who is first in a coarse cell is first in all finer ones within it.
+        for (unsigned bits = kLevels; bits >= 1; --bits) {
+            const unsigned shift = 32U - depth - bits;
+            const std::uint32_t mask = (1U << bits) - 1U;
+            const std::size_t cell = ((point.place[0] >> shift) & mask) | ((point.place[1] >> shift) & mask) << bits |
+                                     ((point.place[2] >> shift) & mask) << (2U * bits);
+            if (taken_[bits - 1][cell]) break;
+            taken_[bits - 1][cell] = true;
+            level = static_cast<std::uint8_t>(bits - 1);
+        }
+        return level;
+    }
+
+    std::array<std::vector<bool>, kLevels> taken_ = {std::vector<bool>(1U << 3U), std::vector<bool>(1U << 6U), std::vector<bool>(1U << 9U),
+                                                     std::vector<bool>(1U << 12U), std::vector<bool>(1U << 15U)};
+    std::vector<std::uint8_t> levels_;
+    std::vector<PackedPoint> ordered_;
+};
+
 void widen(StoreNodeRecord& node, const PackedPoint& point) noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::uint16_t step = point.step(axis, node.depth);
@@ -137,7 +179,7 @@ struct StoreBuilder::State {
     std::int64_t build_bucket(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter);
     std::int64_t divide_on_disk(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter);
     std::int64_t build_in_memory(std::span<PackedPoint> points, std::span<PackedPoint> scratch, const Cell& cell, unsigned depth);
-    void write_block(StoreNodeRecord& node, std::span<const PackedPoint> points);
+    void write_block(StoreNodeRecord& node, std::span<const PackedPoint> unordered);
     std::vector<StoreNodeRecord> ordered_nodes(const std::vector<std::int64_t>& root_nodes) const;
 
     StoreFile file;
@@ -154,6 +196,7 @@ struct StoreBuilder::State {
     Cell last_cell{};
     PointBucket* last_root = nullptr;
     std::vector<BuiltNode> nodes;
+    CoarseToFine coarse_to_fine;
     std::vector<char> block;
     std::vector<std::uint8_t> codes;
 };
@@ -211,7 +254,8 @@ void StoreBuilder::add(const PointBlock& block) {
 }
 
 // Blocks are columns: all x, all y, all z, intensities, rows, columns, colours.
-void StoreBuilder::State::write_block(StoreNodeRecord& node, std::span<const PackedPoint> points) {
+void StoreBuilder::State::write_block(StoreNodeRecord& node, std::span<const PackedPoint> unordered) {
+    const std::span<const PackedPoint> points = coarse_to_fine.order(unordered, node.depth);
     const std::size_t count = points.size();
     const auto bytes = static_cast<std::size_t>(stored_bytes(header.flags)) * count;
     block.resize((bytes + 7) / 8 * 8);
