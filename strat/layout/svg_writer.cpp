@@ -136,7 +136,8 @@ class SvgWriter {
 
     // Cycles last, so that no other line hides them.
     void lines() {
-        put("<g id=\"orders\">\n");
+        // Crisp: strokes that share a segment must not look thicker than others.
+        put("<g id=\"orders\" shape-rendering=\"crispEdges\">\n");
         for (const bool red : {false, true}) {
             for (const DrawnLine& l : d_.lines) {
                 if ((l.in_cycle || l.upwards) == red) line(l);

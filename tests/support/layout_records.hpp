@@ -139,4 +139,47 @@ inline model::Record a_trench(const TrenchOptions& options) {
     return builder.record();
 }
 
+struct RandomMatrixOptions {
+    std::size_t units = 12;
+    std::size_t relations = 20;
+    std::uint32_t seed = 1;
+    bool cycles = false;         ///< relations in both directions
+    bool contemporaries = false;
+    bool same_as = false;
+    bool uncertain = false;
+    std::size_t phases = 0; ///< given to units at random, whatever the relations say
+};
+
+/// Any relations between any units: nothing a trench would give, everything a drawing must survive.
+inline model::Record a_random_record(const RandomMatrixOptions& options) {
+    std::mt19937 random(options.seed);
+    const auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+    MatrixBuilder builder;
+    for (std::size_t u = 1; u <= options.units; ++u) builder.unit(std::to_string(u));
+    const auto name = [](std::size_t u) { return std::to_string(u + 1); };
+    for (std::size_t r = 0; r < options.relations; ++r) {
+        std::size_t a = pick(options.units);
+        std::size_t b = pick(options.units);
+        if (a == b) continue;
+        const std::size_t what = pick(12);
+        if (what == 0 && options.contemporaries) {
+            builder.relate(name(a), model::RelationKind::Contemporary, name(b));
+            continue;
+        }
+        if (what == 1 && options.same_as) {
+            builder.relate(name(a), model::RelationKind::SameAs, name(b));
+            continue;
+        }
+        if (a > b && !(options.cycles && pick(6) == 0)) std::swap(a, b);
+        const bool uncertain = options.uncertain && pick(4) == 0;
+        builder.relate(name(a), model::RelationKind::Covers, name(b),
+                       uncertain ? model::Certainty::Uncertain : model::Certainty::Certain);
+    }
+    for (std::size_t u = 0; u < options.units && options.phases > 0; ++u) {
+        const std::size_t phase = pick(options.phases + 1);
+        if (phase > 0) builder.phase(name(u), "P" + std::to_string(phase), static_cast<std::int64_t>(phase));
+    }
+    return builder.record();
+}
+
 } // namespace planum::test

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/layered_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "strat/layout/coordinate_phase.hpp"
+#include "strat/layout/drawing_style.hpp"
+#include "strat/layout/order_phase.hpp"
+
+namespace planum::strat {
+
+namespace {
+
+constexpr std::uint32_t kNoBox = LayeredMatrix::kNoBox;
+
+// Lines of one net that stand side by side become one, so they are ordered one by one for as long as that
+// is affordable; beyond, each net has one line a level from the beginning.
+constexpr std::int64_t kMostLineNodes = 60'000;
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+// One component while it is laid out.
+struct Component {
+    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint32_t> nets;
+    double width = 0.0;
+    std::int32_t levels = 0;
+    double x = 0.0; // where it is put
+    std::int32_t level = 0;
+};
+
+class Layerer {
+  public:
+    Layerer(const DrawnGraph& graph, const Ranking& ranking, const std::vector<Net>& nets, Progress& progress)
+        : graph_(graph), ranking_(ranking), nets_(nets), progress_(progress) {}
+
+    LayeredMatrix make() {
+        out_.band_begin = ranking_.band_begin;
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) out_.nodes.push_back({ranking_.rank[b], b, 0, 0.0});
+        out_.paths.resize(graph_.orders.size());
+        const bool share = line_nodes() > kMostLineNodes;
+        for (std::uint32_t n = 0; n < nets_.size(); ++n) {
+            if (nets_[n].upwards) {
+                add_upward(n);
+            } else {
+                add_downward(n, share || (nets_[n].later.size() > 1 && nets_[n].earlier.size() > 1));
+            }
+        }
+        split_components();
+        merged_.resize(out_.nodes.size());
+        std::iota(merged_.begin(), merged_.end(), 0U);
+        beyond_.assign(out_.nodes.size(), kNoBox);
+        local_.resize(out_.nodes.size());
+        for (Component& component : components_) lay_out(component);
+        pack();
+        collect_levels();
+        collect_pieces();
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] std::int64_t line_nodes() const {
+        std::int64_t sum = 0;
+        for (const GraphOrder& o : graph_.orders) sum += std::abs(ranking_.rank[o.earlier] - ranking_.rank[o.later]);
+        return sum;
+    }
+
+    std::uint32_t add_line_node(std::int32_t level, std::uint32_t net) {
+        out_.nodes.push_back({level, kNoBox, net, 0.0});
+        return static_cast<std::uint32_t>(out_.nodes.size() - 1);
+    }
+
+    void add_downward(std::uint32_t n, bool share) {
+        std::map<std::int32_t, std::uint32_t> shared; // line node of the net by level
+        for (const std::uint32_t i : nets_[n].orders) {
+            LayeredMatrix::Path& path = out_.paths[i];
+            path.net = n;
+            const GraphOrder& order = graph_.orders[i];
+            path.nodes.push_back(order.later);
+            for (std::int32_t l = ranking_.rank[order.later] + 1; l < ranking_.rank[order.earlier]; ++l) {
+                const auto known = share ? shared.find(l) : shared.end();
+                const std::uint32_t node = known != shared.end() ? known->second : add_line_node(l, n);
+                if (share) shared.emplace(l, node);
+                path.nodes.push_back(node);
+            }
+            path.nodes.push_back(order.earlier);
+        }
+    }
+
+    void add_upward(std::uint32_t n) {
+        const std::uint32_t i = nets_[n].orders.front();
+        LayeredMatrix::Path& path = out_.paths[i];
+        path.net = n;
+        const GraphOrder& order = graph_.orders[i];
+        path.upwards = ranking_.rank[order.later] >= ranking_.rank[order.earlier];
+        if (!path.upwards) { // other bonds already put it the right way round
+            add_downward(n, false);
+            return;
+        }
+        path.nodes.push_back(order.later);
+        for (std::int32_t l = ranking_.rank[order.later]; l >= ranking_.rank[order.earlier]; --l) {
+            path.nodes.push_back(add_line_node(l, n));
+        }
+        path.nodes.push_back(order.earlier);
+    }
+
+    void split_components() {
+        std::vector<std::uint32_t> number(ranking_.component_count, kNoBox);
+        const auto component_at = [&](std::uint32_t box) -> Component& {
+            std::uint32_t& at = number[ranking_.component[box]];
+            if (at == kNoBox) {
+                at = static_cast<std::uint32_t>(components_.size());
+                components_.emplace_back();
+            }
+            return components_[at];
+        };
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
+            if (!graph_.boxes[b].box.isolated) component_at(b).nodes.push_back(b);
+        }
+        for (std::uint32_t v = static_cast<std::uint32_t>(graph_.boxes.size()); v < out_.nodes.size(); ++v) {
+            component_at(nets_[out_.nodes[v].net].later.front()).nodes.push_back(v);
+        }
+        paths_of_.resize(components_.size());
+        for (std::uint32_t i = 0; i < out_.paths.size(); ++i) {
+            paths_of_[number[ranking_.component[graph_.orders[i].later]]].push_back(i);
+        }
+    }
+
+    void lay_out(Component& component) {
+        const auto index = static_cast<std::size_t>(&component - components_.data());
+        progress_.check();
+        order_component(component, index);
+        merge_lines(component, index);
+        place_component(component, index);
+    }
+
+    // Edges of a component's paths between the nodes' places in it, distinct. `for_order` adds what keeps an
+    // upward line near its boxes.
+    std::vector<Edge> edges_of(std::size_t index, bool for_order) const {
+        std::vector<Edge> edges;
+        for (const std::uint32_t i : paths_of_[index]) {
+            const LayeredMatrix::Path& path = out_.paths[i];
+            const std::size_t last = path.nodes.size() - 1;
+            for (std::size_t k = 0; k < last; ++k) {
+                if (!path.upwards) {
+                    edges.push_back({path.nodes[k], path.nodes[k + 1]});
+                } else if (k > 0 && k + 1 < last) {
+                    edges.push_back({path.nodes[k + 1], path.nodes[k]});
+                }
+            }
+        }
+        if (for_order) add_leanings(index, edges);
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        return edges;
+    }
+
+    // The ends of an upward line lean on the neighbours of the boxes they go around.
+    void add_leanings(std::size_t index, std::vector<Edge>& edges) const {
+        const std::size_t ordinary = edges.size();
+        for (const std::uint32_t i : paths_of_[index]) {
+            const LayeredMatrix::Path& path = out_.paths[i];
+            if (!path.upwards) continue;
+            for (std::size_t e = 0; e < ordinary; ++e) {
+                if (edges[e].first == path.nodes.front()) edges.push_back({path.nodes[1], edges[e].second});
+                if (edges[e].second == path.nodes.back()) edges.push_back({edges[e].first, path.nodes[path.nodes.size() - 2]});
+            }
+        }
+    }
+
+    LayeredGraph layered(const Component& component, std::size_t index, bool for_order) {
+        LayeredGraph g;
+        g.nodes = static_cast<std::uint32_t>(component.nodes.size());
+        for (std::uint32_t i = 0; i < component.nodes.size(); ++i) local_[component.nodes[i]] = i;
+        for (const Edge& e : edges_of(index, for_order)) g.edges.push_back({local_[e.first], local_[e.second]});
+        return g;
+    }
+
+    void order_component(Component& component, std::size_t index) {
+        LayeredGraph g = layered(component, index, true);
+        std::int32_t deepest = 0;
+        for (const std::uint32_t v : component.nodes) deepest = std::max(deepest, out_.nodes[v].level);
+        component.levels = deepest + 1;
+        g.layers.resize(static_cast<std::size_t>(component.levels));
+        for (std::uint32_t i = 0; i < component.nodes.size(); ++i) {
+            g.layers[static_cast<std::size_t>(out_.nodes[component.nodes[i]].level)].push_back(i);
+        }
+        OrderOptions options;
+        options.keep_given = sort_as_before(component, g);
+        order_layers(g, options, progress_);
+        // From here on the component's nodes stand level by level, left to right.
+        std::vector<std::uint32_t> nodes;
+        nodes.reserve(component.nodes.size());
+        for (const std::vector<std::uint32_t>& layer : g.layers) {
+            for (const std::uint32_t i : layer) nodes.push_back(component.nodes[i]);
+        }
+        component.nodes = std::move(nodes);
+    }
+
+    // Begins where the earlier drawing left off: known boxes by their x, the others and the lines by the mean of
+    // their neighbours. True if at least half of the boxes were known.
+    bool sort_as_before(const Component& component, LayeredGraph& g) const {
+        std::vector<double> x(g.nodes, 0.0);
+        std::vector<bool> known(g.nodes, false);
+        std::size_t boxes = 0;
+        std::size_t remembered = 0;
+        for (std::uint32_t i = 0; i < g.nodes; ++i) {
+            const std::uint32_t box = out_.nodes[component.nodes[i]].box;
+            if (box == kNoBox) continue;
+            ++boxes;
+            if (!graph_.boxes[box].has_previous) continue;
+            ++remembered;
+            x[i] = graph_.boxes[box].previous.x;
+            known[i] = true;
+        }
+        if (boxes == 0 || remembered * 2 < boxes) return false;
+        std::vector<std::vector<std::uint32_t>> beside(g.nodes);
+        for (const Edge& e : g.edges) {
+            beside[e.first].push_back(e.second);
+            beside[e.second].push_back(e.first);
+        }
+        constexpr int kRounds = 60; // long lines take their x step by step from both ends
+        for (int round = 0; round < kRounds; ++round) {
+            for (std::uint32_t i = 0; i < g.nodes; ++i) {
+                if (known[i] || beside[i].empty()) continue;
+                double sum = 0.0;
+                for (const std::uint32_t j : beside[i]) sum += x[j];
+                x[i] = sum / static_cast<double>(beside[i].size());
+            }
+        }
+        for (std::vector<std::uint32_t>& layer : g.layers) {
+            std::stable_sort(layer.begin(), layer.end(), [&](std::uint32_t a, std::uint32_t b) { return x[a] < x[b]; });
+        }
+        return true;
+    }
+
+    // Neighbouring lines of one net that begin in the same node (seen from above) or end in the same node (from
+    // below) are one line from there on.
+    void merge_lines(Component& component, std::size_t index) {
+        for (const bool from_top : {true, false}) {
+            look_along(index, from_top);
+            const std::size_t n = component.nodes.size();
+            std::uint32_t last = kNoBox;
+            // Level by level from the shared end, so that a merged node is one when its successors are compared.
+            std::vector<std::uint32_t> order = component.nodes;
+            if (!from_top) std::reverse(order.begin(), order.end());
+            for (std::size_t k = 0; k < n; ++k) {
+                const std::uint32_t v = order[k];
+                if (merged_[v] != v) continue;
+                const bool line = out_.nodes[v].box == kNoBox && !nets_[out_.nodes[v].net].upwards;
+                const bool joins = line && last != kNoBox && out_.nodes[last].box == kNoBox &&
+                                   out_.nodes[last].level == out_.nodes[v].level && out_.nodes[last].net == out_.nodes[v].net &&
+                                   beyond_[v] != kNoBox && beyond_[last] != kNoBox &&
+                                   merged_root(beyond_[last]) == merged_root(beyond_[v]);
+                if (joins) {
+                    merged_[v] = last;
+                } else {
+                    last = v;
+                }
+            }
+        }
+        for (const std::uint32_t i : paths_of_[index]) {
+            for (std::uint32_t& v : out_.paths[i].nodes) v = merged_root(v);
+        }
+        std::erase_if(component.nodes, [&](std::uint32_t v) { return merged_[v] != v; });
+    }
+
+    [[nodiscard]] std::uint32_t merged_root(std::uint32_t v) const {
+        while (merged_[v] != v) v = merged_[v];
+        return v;
+    }
+
+    // For each line node the node before (from_top) or after it on its path.
+    void look_along(std::size_t index, bool from_top) {
+        for (const std::uint32_t i : paths_of_[index]) {
+            const std::vector<std::uint32_t>& nodes = out_.paths[i].nodes;
+            for (std::size_t k = 1; k + 1 < nodes.size(); ++k) beyond_[nodes[k]] = nodes[from_top ? k - 1 : k + 1];
+        }
+    }
+
+    void place_component(Component& component, std::size_t index) {
+        LayeredGraph g = layered(component, index, false);
+        g.layers.resize(static_cast<std::size_t>(component.levels));
+        std::vector<NodeExtent> extents(g.nodes);
+        for (std::uint32_t i = 0; i < component.nodes.size(); ++i) {
+            const LayeredMatrix::Node& node = out_.nodes[component.nodes[i]];
+            g.layers[static_cast<std::size_t>(node.level)].push_back(i);
+            const bool line = node.box == kNoBox;
+            extents[i].is_line = line;
+            extents[i].width = line ? 0.0 : graph_.boxes[node.box].box.rect.width;
+            extents[i].gap = line ? style::kLineGap : style::kBoxGap;
+        }
+        const std::vector<double> x = place_nodes(g, extents);
+        double left = 0.0;
+        double right = 0.0;
+        for (std::uint32_t i = 0; i < component.nodes.size(); ++i) {
+            const double rounded = std::round(x[i] * 2.0) / 2.0; // all x are halves, so that equal means equal
+            out_.nodes[component.nodes[i]].x = rounded;
+            left = std::min(left, rounded - extents[i].width / 2.0);
+            right = std::max(right, rounded + extents[i].width / 2.0);
+        }
+        left = std::floor(left * 2.0) / 2.0;
+        for (const std::uint32_t v : component.nodes) out_.nodes[v].x -= left;
+        component.width = std::ceil((right - left) * 2.0) / 2.0;
+    }
+
+    // Largest first; smaller ones go below one another beside it. With bands all share the levels.
+    void pack() {
+        std::vector<std::size_t> order(components_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return components_[a].nodes.size() > components_[b].nodes.size();
+        });
+        struct Column {
+            double x = 0.0;
+            double width = 0.0;
+            std::int32_t next_level = 0;
+        };
+        std::vector<Column> columns;
+        std::int32_t deepest = 8; // a page of small parts is no taller than this
+        for (const Component& c : components_) deepest = std::max(deepest, c.levels);
+        double right = 0.0;
+        for (const std::size_t i : order) {
+            Component& c = components_[i];
+            const auto fits = [&](const Column& column) {
+                return c.width <= column.width && column.next_level + c.levels <= deepest;
+            };
+            auto column = graph_.bands.empty() ? std::find_if(columns.begin(), columns.end(), fits) : columns.end();
+            if (column == columns.end()) {
+                columns.push_back({right, c.width, 0});
+                column = columns.end() - 1;
+                right += c.width + style::kComponentGap;
+            }
+            c.x = column->x;
+            c.level = column->next_level;
+            column->next_level += c.levels + 1; // a level of air
+            for (const std::uint32_t v : c.nodes) {
+                out_.nodes[v].x += c.x;
+                out_.nodes[v].level += c.level;
+            }
+        }
+    }
+
+    void collect_levels() {
+        std::int32_t count = 0;
+        for (const Component& c : components_) count = std::max(count, c.level + c.levels);
+        out_.levels.resize(static_cast<std::size_t>(count));
+        for (const Component& c : components_) {
+            for (const std::uint32_t v : c.nodes) out_.levels[static_cast<std::size_t>(out_.nodes[v].level)].push_back(v);
+        }
+        for (std::vector<std::uint32_t>& level : out_.levels) {
+            std::stable_sort(level.begin(), level.end(),
+                             [&](std::uint32_t a, std::uint32_t b) { return out_.nodes[a].x < out_.nodes[b].x; });
+        }
+    }
+
+    void collect_pieces() {
+        for (const LayeredMatrix::Path& path : out_.paths) {
+            const std::size_t last = path.nodes.size() - 1;
+            for (std::size_t k = 0; k < last; ++k) {
+                if (!path.upwards) {
+                    out_.pieces.push_back({path.nodes[k], path.nodes[k + 1], path.net});
+                } else if (k > 0 && k + 1 < last) {
+                    out_.pieces.push_back({path.nodes[k + 1], path.nodes[k], path.net});
+                }
+            }
+        }
+        std::sort(out_.pieces.begin(), out_.pieces.end());
+        out_.pieces.erase(std::unique(out_.pieces.begin(), out_.pieces.end()), out_.pieces.end());
+    }
+
+    const DrawnGraph& graph_;
+    const Ranking& ranking_;
+    const std::vector<Net>& nets_;
+    Progress& progress_;
+    LayeredMatrix out_;
+    std::vector<Component> components_;
+    std::vector<std::vector<std::uint32_t>> paths_of_; // orders by component
+    std::vector<std::uint32_t> local_;  // by node: its place in its component
+    std::vector<std::uint32_t> merged_; // by node: the line it became part of
+    std::vector<std::uint32_t> beyond_; // by line node: see look_along
+};
+
+} // namespace
+
+LayeredMatrix place_on_levels(const DrawnGraph& graph, const Ranking& ranking, const std::vector<Net>& nets,
+                              Progress& progress) {
+    return Layerer(graph, ranking, nets, progress).make();
+}
+
+} // namespace planum::strat

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/order_phase.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "strat/matrix/adjacency.hpp"
+
+namespace planum::strat {
+
+namespace {
+
+using Layers = std::vector<std::vector<std::uint32_t>>;
+
+// Pairs (a, b) of sorted positions with a > b: crossings of the edges of two nodes, the first standing left.
+std::int64_t inversions(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right) {
+    std::int64_t count = 0;
+    std::size_t smaller = 0;
+    for (const std::uint32_t a : left) {
+        while (smaller < right.size() && right[smaller] < a) ++smaller;
+        count += static_cast<std::int64_t>(smaller);
+    }
+    return count;
+}
+
+class Orderer {
+  public:
+    Orderer(LayeredGraph& graph, const OrderOptions& options, Progress& progress)
+        : g_(graph), options_(options), progress_(progress), position_(graph.nodes, 0), layer_(graph.nodes, 0) {
+        down_ = Adjacency::make(
+            g_.nodes, g_.edges.size(), [&](std::size_t i) { return g_.edges[i].first; },
+            [&](std::size_t i) { return g_.edges[i].second; });
+        up_ = Adjacency::make(
+            g_.nodes, g_.edges.size(), [&](std::size_t i) { return g_.edges[i].second; },
+            [&](std::size_t i) { return g_.edges[i].first; });
+        for (std::size_t l = 0; l < g_.layers.size(); ++l) {
+            for (const std::uint32_t v : g_.layers[l]) layer_[v] = static_cast<std::uint32_t>(l);
+        }
+        number_all();
+    }
+
+    void order() {
+        best_ = g_.layers;
+        best_crossings_ = crossings();
+        if (best_crossings_ == 0 && options_.keep_given) return;
+        if (options_.keep_given) {
+            switch_until_stuck(4);
+            remember();
+        } else {
+            try_start(Start::DepthFirst);
+            if (best_crossings_ > 0) try_start(Start::BreadthFirst);
+            if (best_crossings_ > 0) try_start(Start::Given);
+        }
+        g_.layers = best_;
+    }
+
+    [[nodiscard]] std::int64_t crossings() {
+        std::int64_t sum = 0;
+        for (std::size_t l = 0; l + 1 < g_.layers.size(); ++l) sum += crossings_below(l);
+        return sum;
+    }
+
+  private:
+    enum class Start { Given, DepthFirst, BreadthFirst };
+    enum class Centre { Barycentre, Median };
+
+    void number(std::size_t l) {
+        for (std::size_t i = 0; i < g_.layers[l].size(); ++i) position_[g_.layers[l][i]] = static_cast<std::uint32_t>(i);
+    }
+
+    void number_all() {
+        for (std::size_t l = 0; l < g_.layers.size(); ++l) number(l);
+    }
+
+    // Barth, Jünger and Mutzel 2002: inversions counted with an accumulator tree.
+    std::int64_t crossings_below(std::size_t l) {
+        const std::size_t width = g_.layers[l + 1].size();
+        std::size_t leaves = 1;
+        while (leaves < width) leaves *= 2;
+        tree_.assign(2 * leaves, 0);
+        std::int64_t count = 0;
+        for (const std::uint32_t u : g_.layers[l]) {
+            ends_.clear();
+            for (const std::uint32_t v : down_.row(u)) ends_.push_back(position_[v]);
+            std::sort(ends_.begin(), ends_.end());
+            for (const std::uint32_t end : ends_) {
+                for (std::size_t i = end + leaves; i > 1; i /= 2) {
+                    if (i % 2 == 0) count += tree_[i + 1];
+                }
+            }
+            for (const std::uint32_t end : ends_) {
+                for (std::size_t i = end + leaves; i > 0; i /= 2) ++tree_[i];
+            }
+        }
+        return count;
+    }
+
+    void remember() {
+        const std::int64_t now = crossings();
+        if (now >= best_crossings_) return;
+        best_crossings_ = now;
+        best_ = g_.layers;
+    }
+
+    void try_start(Start start) {
+        if (start != Start::Given && !spend(0)) return;
+        if (start == Start::Given) {
+            g_.layers = best_;
+            number_all();
+        } else {
+            walk(start);
+        }
+        std::int64_t before = std::numeric_limits<std::int64_t>::max();
+        int stuck = 0;
+        constexpr int kMostSweeps = 32;
+        for (int sweep = 0; sweep < kMostSweeps && stuck < 5 && best_crossings_ > 0; ++sweep) {
+            progress_.check();
+            sweep_once(sweep % 2 == 0, sweep % 4 < 2 ? Centre::Barycentre : Centre::Median);
+            switch_until_stuck(3);
+            const std::int64_t now = crossings();
+            remember();
+            stuck = now < before ? 0 : stuck + 1;
+            before = std::min(before, now);
+            if (!spend(static_cast<std::int64_t>(g_.edges.size()) * 30)) break;
+        }
+        g_.layers = best_;
+        number_all();
+        sift_until_stuck();
+        switch_until_stuck(10);
+        remember();
+    }
+
+    // False when no work is left.
+    bool spend(std::int64_t work) {
+        spent_ += work;
+        return spent_ < options_.work;
+    }
+
+    // Neighbours found one after another stand side by side.
+    void walk(Start start) {
+        std::vector<bool> seen(g_.nodes, false);
+        Layers fresh(g_.layers.size());
+        std::vector<std::uint32_t> open;
+        for (const std::vector<std::uint32_t>& layer : g_.layers) {
+            for (const std::uint32_t root : layer) {
+                if (seen[root]) continue;
+                open.assign(1, root);
+                for (std::size_t at = 0; at < open.size();) {
+                    std::uint32_t v = 0;
+                    if (start == Start::DepthFirst) {
+                        v = open.back();
+                        open.pop_back();
+                    } else {
+                        v = open[at++];
+                    }
+                    if (seen[v]) continue;
+                    seen[v] = true;
+                    fresh[layer_[v]].push_back(v);
+                    for (const Adjacency* side : {&up_, &down_}) {
+                        const auto row = side->row(v);
+                        for (std::size_t i = row.size(); i-- > 0;) {
+                            if (!seen[row[i]]) open.push_back(row[i]);
+                        }
+                    }
+                }
+            }
+        }
+        g_.layers = std::move(fresh);
+        number_all();
+    }
+
+    void sweep_once(bool downwards, Centre centre) {
+        const std::size_t count = g_.layers.size();
+        for (std::size_t step = 1; step < count; ++step) {
+            sort_layer(downwards ? step : count - 1 - step, downwards ? up_ : down_, centre);
+        }
+    }
+
+    // Nodes without a neighbour on the fixed side keep their places; the others are sorted around them.
+    void sort_layer(std::size_t l, const Adjacency& fixed, Centre centre) {
+        std::vector<std::uint32_t>& layer = g_.layers[l];
+        keyed_.clear();
+        for (const std::uint32_t v : layer) {
+            if (!fixed.row(v).empty()) keyed_.push_back({centre_of(fixed.row(v), centre), v});
+        }
+        std::stable_sort(keyed_.begin(), keyed_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::size_t next = 0;
+        for (std::uint32_t& v : layer) {
+            if (!fixed.row(v).empty()) v = keyed_[next++].second;
+        }
+        number(l);
+    }
+
+    double centre_of(std::span<const std::uint32_t> neighbours, Centre centre) {
+        ends_.clear();
+        for (const std::uint32_t v : neighbours) ends_.push_back(position_[v]);
+        if (centre == Centre::Barycentre) {
+            return std::accumulate(ends_.begin(), ends_.end(), 0.0) / static_cast<double>(ends_.size());
+        }
+        std::sort(ends_.begin(), ends_.end());
+        const std::size_t n = ends_.size();
+        const std::size_t m = n / 2;
+        if (n % 2 == 1) return ends_[m];
+        if (n == 2) return (ends_[0] + ends_[1]) / 2.0;
+        // Gansner et al. 1993: between the two medians, towards the side where the others stand closer.
+        const double left = ends_[m - 1] - ends_.front();
+        const double right = ends_.back() - ends_[m];
+        if (left + right == 0.0) return (ends_[m - 1] + ends_[m]) / 2.0;
+        return (ends_[m - 1] * right + ends_[m] * left) / (left + right);
+    }
+
+    // Sorted positions of the neighbours above and below of each node of one level.
+    struct Ends {
+        Adjacency up;
+        Adjacency down;
+    };
+
+    void collect_ends(std::size_t l, Ends& ends) const {
+        const std::vector<std::uint32_t>& layer = g_.layers[l];
+        const auto fill = [&](Adjacency& out, const Adjacency& in) {
+            out.begin.assign(1, 0);
+            out.values.clear();
+            for (const std::uint32_t v : layer) {
+                const auto first = static_cast<std::ptrdiff_t>(out.values.size());
+                for (const std::uint32_t w : in.row(v)) out.values.push_back(position_[w]);
+                std::sort(out.values.begin() + first, out.values.end());
+                out.begin.push_back(static_cast<std::uint32_t>(out.values.size()));
+            }
+        };
+        fill(ends.up, up_);
+        fill(ends.down, down_);
+    }
+
+    // Crossings of two nodes (by their places when the ends were collected) with a left of b, minus those
+    // with b left of a.
+    [[nodiscard]] std::int64_t gain(const Ends& ends, std::size_t a, std::size_t b) const {
+        return inversions(ends.up.row(a), ends.up.row(b)) - inversions(ends.up.row(b), ends.up.row(a)) +
+               inversions(ends.down.row(a), ends.down.row(b)) - inversions(ends.down.row(b), ends.down.row(a));
+    }
+
+    void switch_until_stuck(int most_rounds) {
+        Ends ends;
+        for (int round = 0; round < most_rounds; ++round) {
+            bool better = false;
+            for (std::size_t l = 0; l < g_.layers.size(); ++l) better = switch_layer(l, ends) || better;
+            if (!better) return;
+            if (!spend(static_cast<std::int64_t>(g_.edges.size()) * 10)) return;
+        }
+    }
+
+    bool switch_layer(std::size_t l, Ends& ends) {
+        std::vector<std::uint32_t>& layer = g_.layers[l];
+        if (layer.size() < 2) return false;
+        collect_ends(l, ends);
+        std::vector<std::size_t>& row = rows_; // row of `ends` of the node at each place
+        row.resize(layer.size());
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        bool any = false;
+        constexpr int kRounds = 6;
+        for (int round = 0; round < kRounds; ++round) {
+            bool better = false;
+            for (std::size_t i = 0; i + 1 < layer.size(); ++i) {
+                if (gain(ends, row[i], row[i + 1]) <= 0) continue;
+                std::swap(row[i], row[i + 1]);
+                std::swap(layer[i], layer[i + 1]);
+                better = true;
+            }
+            any = any || better;
+            if (!better) break;
+        }
+        if (any) number(l);
+        return any;
+    }
+
+    void sift_until_stuck() {
+        constexpr int kRounds = 6;
+        Ends ends;
+        for (int round = 0; round < kRounds; ++round) {
+            progress_.check();
+            bool better = false;
+            for (std::size_t l = 0; l < g_.layers.size(); ++l) better = sift_layer(l, ends) || better;
+            if (!better) return;
+        }
+    }
+
+    // Each node is carried along its level to the place where its edges cross least (Matuszewski 1999).
+    bool sift_layer(std::size_t l, Ends& ends) {
+        std::vector<std::uint32_t>& layer = g_.layers[l];
+        const std::size_t n = layer.size();
+        if (n < 3) return false;
+        if (!spend(static_cast<std::int64_t>(n * n) * 12)) return false;
+        collect_ends(l, ends);
+        rows_.resize(n);
+        std::iota(rows_.begin(), rows_.end(), std::size_t{0});
+        bool any = false;
+        for (std::size_t moved = 0; moved < n; ++moved) any = sift_node(moved, ends) || any;
+        if (!any) return false;
+        const std::vector<std::uint32_t> before = layer;
+        for (std::size_t i = 0; i < n; ++i) layer[i] = before[rows_[i]];
+        number(l);
+        return true;
+    }
+
+    bool sift_node(std::size_t moved, const Ends& ends) {
+        const auto at = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), moved) - rows_.begin());
+        std::int64_t delta = 0; // crossings saved so far
+        std::int64_t best = 0;
+        std::size_t to = at;
+        for (std::size_t i = at + 1; i < rows_.size(); ++i) {
+            delta += gain(ends, moved, rows_[i]);
+            if (delta > best) {
+                best = delta;
+                to = i;
+            }
+        }
+        delta = 0;
+        for (std::size_t i = at; i-- > 0;) {
+            delta += gain(ends, rows_[i], moved);
+            if (delta > best) {
+                best = delta;
+                to = i;
+            }
+        }
+        if (to == at) return false;
+        rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(at));
+        rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(to), moved);
+        return true;
+    }
+
+    LayeredGraph& g_;
+    const OrderOptions& options_;
+    Progress& progress_;
+    Adjacency up_;
+    Adjacency down_;
+    std::vector<std::uint32_t> position_; // by node, within its level
+    std::vector<std::uint32_t> layer_;
+    Layers best_;
+    std::int64_t best_crossings_ = 0;
+    std::int64_t spent_ = 0;
+    // Kept between calls to save allocations.
+    std::vector<std::uint32_t> tree_;
+    std::vector<std::uint32_t> ends_;
+    std::vector<std::pair<double, std::uint32_t>> keyed_;
+    std::vector<std::size_t> rows_;
+};
+
+} // namespace
+
+void order_layers(LayeredGraph& graph, const OrderOptions& options, Progress& progress) {
+    Orderer(graph, options, progress).order();
+}
+
+std::int64_t count_crossings(const LayeredGraph& graph) {
+    LayeredGraph copy = graph;
+    const OrderOptions options;
+    return Orderer(copy, options, Progress::none()).crossings();
+}
+
+} // namespace planum::strat

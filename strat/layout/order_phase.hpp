@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.hpp"
+
+namespace planum::strat {
+
+/// Nodes on levels with edges between neighbouring levels only.
+struct LayeredGraph {
+    std::uint32_t nodes = 0;
+    std::vector<std::vector<std::uint32_t>> layers;              ///< nodes of each level, left to right
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges; ///< (upper, lower)
+};
+
+struct OrderOptions {
+    std::int64_t work = 400'000'000; ///< about how many steps may be spent
+    bool keep_given = false;         ///< begin with the given order and only better it where neighbours swap
+};
+
+/// Second phase: sorts each level so that few edges cross: barycentres and medians in sweeps, then
+/// neighbours swapped and nodes sifted while that helps; the best order seen wins. Throws Cancelled.
+void order_layers(LayeredGraph& graph, const OrderOptions& options, Progress& progress);
+
+[[nodiscard]] std::int64_t count_crossings(const LayeredGraph& graph);
+
+} // namespace planum::strat

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/port_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <span>
+#include <tuple>
+
+#include "strat/layout/drawing_style.hpp"
+
+namespace planum::strat {
+
+namespace {
+
+using End = ChannelWires::End;
+using ChannelWire = ChannelWires::ChannelWire;
+
+// Pieces of one channel, split into wires: pieces of one net that share an end.
+class WireCollector {
+  public:
+    explicit WireCollector(const LayeredMatrix& matrix) : m_(matrix) {}
+
+    std::vector<ChannelWires> collect() {
+        std::vector<std::vector<LayeredMatrix::Piece>> by_channel(m_.levels.size() + 1);
+        for (const LayeredMatrix::Piece& piece : m_.pieces) {
+            by_channel[static_cast<std::size_t>(m_.nodes[piece.lower].level)].push_back(piece);
+        }
+        channels_.resize(m_.levels.size() + 1);
+        for (std::size_t c = 0; c < by_channel.size(); ++c) join(by_channel[c], channels_[c]);
+        for (const LayeredMatrix::Path& path : m_.paths) {
+            if (path.upwards) add_turns(path);
+        }
+        return std::move(channels_);
+    }
+
+  private:
+    void join(std::vector<LayeredMatrix::Piece>& pieces, ChannelWires& channel) {
+        std::sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.net, a.upper, a.lower) < std::tie(b.net, b.upper, b.lower);
+        });
+        for (std::size_t first = 0; first < pieces.size();) {
+            std::size_t last = first;
+            while (last < pieces.size() && pieces[last].net == pieces[first].net) ++last;
+            join_net(std::span(pieces).subspan(first, last - first), channel);
+            first = last;
+        }
+    }
+
+    static void join_net(std::span<const LayeredMatrix::Piece> pieces, ChannelWires& channel) {
+        std::map<std::uint32_t, std::uint32_t> leader; // of each node, upper or lower: levels differ, so no clash
+        const auto find = [&](std::uint32_t v) {
+            while (leader.at(v) != v) v = leader.at(v);
+            return v;
+        };
+        for (const LayeredMatrix::Piece& p : pieces) {
+            leader.emplace(p.upper, p.upper);
+            leader.emplace(p.lower, p.lower);
+            const std::uint32_t a = find(p.upper);
+            const std::uint32_t b = find(p.lower);
+            leader[std::max(a, b)] = std::min(a, b);
+        }
+        std::map<std::uint32_t, std::size_t> wire_of;
+        std::map<std::uint32_t, bool> seen;
+        for (const LayeredMatrix::Piece& p : pieces) {
+            const auto [at, fresh] = wire_of.emplace(find(p.upper), channel.wires.size());
+            if (fresh) channel.wires.push_back({p.net, {}, {}});
+            ChannelWire& wire = channel.wires[at->second];
+            if (seen.emplace(p.upper, true).second) wire.tops.push_back({p.upper, 0.0});
+            if (seen.emplace(p.lower, true).second) wire.bottoms.push_back({p.lower, 0.0});
+        }
+    }
+
+    // Where an upward line leaves below its later box, and where it enters its earlier one.
+    void add_turns(const LayeredMatrix::Path& path) {
+        const std::uint32_t later = path.nodes.front();
+        const std::uint32_t earlier = path.nodes.back();
+        const auto below = static_cast<std::size_t>(m_.nodes[later].level) + 1;
+        const auto above = static_cast<std::size_t>(m_.nodes[earlier].level);
+        channels_[below].wires.push_back({path.net, {{later, 0.0}, {path.nodes[1], 0.0}}, {}});
+        channels_[above].wires.push_back({path.net, {}, {{earlier, 0.0}, {path.nodes[path.nodes.size() - 2], 0.0}}});
+    }
+
+    const LayeredMatrix& m_;
+    std::vector<ChannelWires> channels_;
+};
+
+// A place where lines leave or enter one side of a box.
+struct Port {
+    End* end = nullptr;
+    double wanted = 0.0;
+    double towards = 0.0; // mean x of where the wire goes
+    bool straight = false; // the wire has one other end, and `wanted` faces it
+};
+
+class PortPlacer {
+  public:
+    PortPlacer(const LayeredMatrix& matrix, const DrawnGraph& graph, std::vector<ChannelWires>& channels)
+        : m_(matrix), graph_(graph), channels_(channels) {}
+
+    void place() {
+        for (ChannelWires& channel : channels_) {
+            for (ChannelWire& wire : channel.wires) {
+                for (End& end : wire.tops) end.x = m_.nodes[end.node].x;
+                for (End& end : wire.bottoms) end.x = m_.nodes[end.node].x;
+            }
+        }
+        for (ChannelWires& channel : channels_) {
+            place_side(channel, true);
+            place_side(channel, false);
+            straighten(channel);
+        }
+    }
+
+  private:
+    [[nodiscard]] bool is_line(std::uint32_t node) const { return m_.nodes[node].box == LayeredMatrix::kNoBox; }
+
+    [[nodiscard]] double reach(std::uint32_t node) const {
+        // In halves of points like all other x.
+        return std::floor(graph_.boxes[m_.nodes[node].box].box.rect.width - 2.0 * style::kPortMargin) / 2.0;
+    }
+
+    // All ports at the lower (tops) or upper sides of the boxes along a channel.
+    void place_side(ChannelWires& channel, bool tops) {
+        std::map<std::uint32_t, std::vector<Port>> by_box;
+        for (ChannelWire& wire : channel.wires) {
+            std::vector<End>& own = tops ? wire.tops : wire.bottoms;
+            const std::vector<End>& far = tops ? wire.bottoms : wire.tops;
+            for (End& end : own) {
+                if (is_line(end.node)) continue;
+                by_box[end.node].push_back(make_port(end, own, far));
+            }
+        }
+        for (auto& [node, ports] : by_box) spread(node, ports);
+    }
+
+    Port make_port(End& end, const std::vector<End>& own, const std::vector<End>& far) const {
+        Port port{&end, m_.nodes[end.node].x, 0.0, false};
+        const std::vector<End>& aims = far.empty() ? own : far;
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (const End& other : aims) {
+            if (&other == &end) continue;
+            sum += other.x;
+            ++count;
+        }
+        port.towards = count > 0 ? sum / static_cast<double>(count) : m_.nodes[end.node].x;
+        if (far.size() == 1 && own.size() == 1) {
+            const double other = far.front().x;
+            port.wanted = is_line(far.front().node) ? other : (m_.nodes[end.node].x + other) / 2.0;
+            port.straight = std::abs(port.wanted - m_.nodes[end.node].x) <= reach(end.node);
+        } else if (far.empty()) {
+            port.wanted = port.towards; // a turn leaves on the side it turns to
+        }
+        return port;
+    }
+
+    // Sorted by where they go, as near to what they want as the gaps allow; lines that can run straight hold
+    // their place and the others make way. Least squares under an order: pool adjacent violators.
+    void spread(std::uint32_t node, std::vector<Port>& ports) const {
+        std::stable_sort(ports.begin(), ports.end(), [](const Port& a, const Port& b) { return a.towards < b.towards; });
+        const double centre = m_.nodes[node].x;
+        const double room = reach(node);
+        const std::size_t n = ports.size();
+        const double gap = n < 2 ? 0.0 : std::min(style::kPortGap, std::floor(4.0 * room / static_cast<double>(n - 1)) / 2.0);
+        struct Pool {
+            double sum = 0.0; // of weight times place, gaps taken out
+            double weight = 0.0;
+            std::size_t count = 0;
+            [[nodiscard]] double mean() const { return sum / weight; }
+        };
+        std::vector<Pool> pools;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double weight = ports[i].straight ? 1000.0 : 1.0;
+            pools.push_back({weight * (ports[i].wanted - gap * static_cast<double>(i)), weight, 1});
+            while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+                const Pool last = pools.back();
+                pools.pop_back();
+                pools.back().sum += last.sum;
+                pools.back().weight += last.weight;
+                pools.back().count += last.count;
+            }
+        }
+        std::size_t i = 0;
+        const double most = std::max(centre - room, centre + room - gap * static_cast<double>(n - 1));
+        for (const Pool& pool : pools) {
+            const double base = std::clamp(std::round(pool.mean() * 2.0) / 2.0, centre - room, most);
+            for (std::size_t k = 0; k < pool.count; ++k, ++i) ports[i].end->x = base + gap * static_cast<double>(i);
+        }
+    }
+
+    // Small steps between ends that nearly face each other are taken out where a box has room.
+    void straighten(ChannelWires& channel) const {
+        std::map<std::uint32_t, int> at_top;
+        std::map<std::uint32_t, int> at_bottom;
+        for (const ChannelWire& wire : channel.wires) {
+            for (const End& end : wire.tops) ++at_top[end.node];
+            for (const End& end : wire.bottoms) ++at_bottom[end.node];
+        }
+        for (ChannelWire& wire : channel.wires) {
+            for (End& top : wire.tops) {
+                for (End& bottom : wire.bottoms) {
+                    const double step = std::abs(top.x - bottom.x);
+                    const bool alone = wire.tops.size() == 1 && wire.bottoms.size() == 1;
+                    constexpr double kSmall = 10.0;
+                    if (step == 0.0 || (!alone && step > kSmall)) continue;
+                    if (at_bottom[bottom.node] == 1 && reaches(bottom.node, top.x)) {
+                        bottom.x = top.x;
+                    } else if (at_top[top.node] == 1 && reaches(top.node, bottom.x) && (alone || wire.tops.size() > 1)) {
+                        top.x = bottom.x;
+                    }
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] bool reaches(std::uint32_t node, double x) const {
+        return !is_line(node) && std::abs(x - m_.nodes[node].x) <= reach(node);
+    }
+
+    const LayeredMatrix& m_;
+    const DrawnGraph& graph_;
+    std::vector<ChannelWires>& channels_;
+};
+
+} // namespace
+
+std::vector<ChannelWires> make_wires(const LayeredMatrix& matrix, const DrawnGraph& graph) {
+    std::vector<ChannelWires> channels = WireCollector(matrix).collect();
+    PortPlacer(matrix, graph, channels).place();
+    return channels;
+}
+
+void widen_for_ports(DrawnGraph& graph, const std::vector<Net>& nets) {
+    std::vector<int> below(graph.boxes.size(), 0);
+    std::vector<int> above(graph.boxes.size(), 0);
+    for (const Net& net : nets) {
+        for (const std::uint32_t b : net.later) ++below[b];
+        for (const std::uint32_t b : net.earlier) ++above[b];
+    }
+    for (std::size_t b = 0; b < graph.boxes.size(); ++b) {
+        const int ports = std::max(below[b], above[b]);
+        const double needed = 2.0 * style::kPortMargin + style::kPortGap * static_cast<double>(std::max(ports - 1, 0));
+        double& width = graph.boxes[b].box.rect.width;
+        width = std::max(width, needed);
+    }
+}
+
+} // namespace planum::strat

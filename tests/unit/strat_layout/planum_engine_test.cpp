@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/planum_engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "strat/layout/svg_writer.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/drawing_laws.hpp"
+#include "tests/support/layout_records.hpp"
+
+using namespace planum;
+using namespace planum::strat;
+using planum::test::a_matrix;
+using planum::test::broken_law;
+using planum::test::drawing_of;
+
+namespace {
+
+const DrawnBox& box_named(const MatrixDrawing& drawing, const std::string& name) {
+    const auto at = std::find_if(drawing.boxes.begin(), drawing.boxes.end(), [&](const DrawnBox& b) {
+        return std::find(b.names.begin(), b.names.end(), name) != b.names.end();
+    });
+    REQUIRE(at != drawing.boxes.end());
+    return *at;
+}
+
+} // namespace
+
+TEST_CASE("A chain is drawn as one straight column") {
+    const MatrixDrawing drawing = drawing_of(a_matrix().above("1", "2").above("2", "3").record());
+    CHECK(drawing.boxes[0].rect.centre().x == drawing.boxes[1].rect.centre().x);
+    CHECK(drawing.boxes[1].rect.centre().x == drawing.boxes[2].rect.centre().x);
+    for (const DrawnLine& line : drawing.lines) CHECK(line.points.size() == 2);
+}
+
+TEST_CASE("The letter H does not state an order that nobody recorded") {
+    // 1 is above 3 and 4, 2 only above 4: a common bar would put 2 above 3.
+    const model::Record record = a_matrix().above("1", "3").above("1", "4").above("2", "4").record();
+    CHECK(broken_law(record, drawing_of(record)).empty());
+}
+
+TEST_CASE("A complete fan shares one bar") {
+    const model::Record record = a_matrix().above("1", "3").above("1", "4").above("2", "3").above("2", "4").record();
+    const MatrixDrawing drawing = drawing_of(record);
+    CHECK(broken_law(record, drawing).empty());
+    std::vector<double> bars;
+    for (const DrawnLine& line : drawing.lines) {
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            if (line.points[i].y == line.points[i - 1].y) bars.push_back(line.points[i].y);
+        }
+    }
+    REQUIRE_FALSE(bars.empty());
+    CHECK(std::all_of(bars.begin(), bars.end(), [&](double y) { return y == bars.front(); }));
+}
+
+TEST_CASE("A cycle is drawn whole, red, and its upward line says so") {
+    const model::Record record = a_matrix().above("1", "2").above("2", "3").above("3", "1").above("3", "4").record();
+    const MatrixDrawing drawing = drawing_of(record);
+    CHECK(broken_law(record, drawing).empty());
+    CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.upwards; }) == 1);
+    CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.in_cycle; }) == 3);
+}
+
+TEST_CASE("Two units each above the other are both lines, one down, one up") {
+    const model::Record record = a_matrix().above("1", "2").above("2", "1").record();
+    CHECK(broken_law(record, drawing_of(record)).empty());
+}
+
+TEST_CASE("Contemporary units stand on one level unless an order contradicts") {
+    using model::RelationKind;
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("1", "4").above("4", "5").above("3", "5");
+    builder.relate("3", RelationKind::Contemporary, "4");
+    const MatrixDrawing drawing = drawing_of(builder.record());
+    CHECK(box_named(drawing, "3").rect.y == box_named(drawing, "4").rect.y);
+    builder.relate("1", RelationKind::Contemporary, "5");
+    CHECK(broken_law(builder.record(), drawing_of(builder.record())).empty());
+}
+
+TEST_CASE("Natural ground lies on the last level, topsoil on the first") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("1", "9").above("8", "4");
+    builder.kind("9", model::UnitKind::Natural);
+    model::Record record = builder.record();
+    for (model::StratigraphicUnit& unit : record.units) {
+        if (unit.number == "8") unit.title = "Topsoil";
+    }
+    const MatrixDrawing drawing = drawing_of(record);
+    CHECK(box_named(drawing, "9").rect.bottom() == box_named(drawing, "4").rect.bottom());
+    CHECK(box_named(drawing, "8").rect.y == box_named(drawing, "1").rect.y);
+}
+
+TEST_CASE("Bands enclose their units and nobody else's") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("1", "5");
+    builder.phase("1", "III", 3).phase("2", "II", 2).phase("3", "II", 2).phase("4", "I", 1).phase("5", "I", 1);
+    const model::Record record = builder.record();
+    const MatrixDrawing drawing = drawing_of(record);
+    CHECK(broken_law(record, drawing).empty());
+    REQUIRE(drawing.bands.size() == 3);
+    const auto inside = [&](const std::string& unit, std::size_t band) {
+        const DrawRect& r = box_named(drawing, unit).rect;
+        return r.y > drawing.bands[band].rect.y && r.bottom() < drawing.bands[band].rect.bottom();
+    };
+    CHECK(inside("1", 0));
+    CHECK(inside("2", 1));
+    CHECK(inside("3", 1));
+    CHECK(inside("4", 2));
+    CHECK(inside("5", 2));
+}
+
+TEST_CASE("An order against the phases is drawn upwards, not left out") {
+    auto builder = a_matrix().above("1", "2").above("2", "3");
+    builder.phase("1", "old", 1).phase("2", "young", 2).phase("3", "old", 1);
+    const model::Record record = builder.record();
+    const MatrixDrawing drawing = drawing_of(record);
+    CHECK(broken_law(record, drawing).empty());
+    CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.upwards; }) == 1);
+}
+
+TEST_CASE("An empty record is an empty page, not an error") {
+    const MatrixDrawing drawing = drawing_of({});
+    CHECK(drawing.boxes.empty());
+    CHECK(drawing.width > 0.0);
+    CHECK(read_back(drawing).faults.empty());
+}
+
+TEST_CASE("The order of the input does not change a byte of the drawing") {
+    model::Record record = test::a_trench({.units = 80, .seed = 5});
+    const std::string before = write_svg(drawing_of(record));
+    std::reverse(record.units.begin(), record.units.end());
+    std::reverse(record.relations.begin(), record.relations.end());
+    model::sort_record(record);
+    CHECK(write_svg(drawing_of(record)) == before);
+}
+
+TEST_CASE("One unit more leaves the others where they stood beside their neighbours") {
+    auto record = test::a_trench({.units = 300, .seed = 9, .width = 40});
+    const MatrixDrawing before = drawing_of(record);
+    model::StratigraphicUnit unit;
+    SeededUuids ids(99);
+    unit.id = {ids.next()};
+    unit.number = "1000";
+    model::PhysicalRelation relation;
+    relation.id = {ids.next()};
+    relation.subject = unit.id;
+    relation.object = record.units[120].id;
+    record.units.push_back(unit);
+    record.relations.push_back(relation);
+    model::sort_record(record);
+    const MatrixDrawing after = drawing_of(record, {}, positions_of(before));
+    CHECK(broken_law(record, after).empty());
+    std::map<std::string, DrawPoint> old_place;
+    for (const DrawnBox& b : before.boxes) old_place[b.id] = b.rect.centre();
+    // Pairs of neighbours on a level, before, that still stand left and right of each other.
+    std::size_t pairs = 0;
+    std::size_t kept = 0;
+    std::map<std::string, DrawPoint> new_place;
+    for (const DrawnBox& b : after.boxes) new_place[b.id] = b.rect.centre();
+    for (const DrawnBox& a : before.boxes) {
+        const DrawnBox* right = nullptr;
+        for (const DrawnBox& b : before.boxes) {
+            if (b.rect.y != a.rect.y || b.rect.x <= a.rect.x) continue;
+            if (right == nullptr || b.rect.x < right->rect.x) right = &b;
+        }
+        if (right == nullptr) continue;
+        ++pairs;
+        if (new_place[a.id].x < new_place[right->id].x) ++kept;
+    }
+    REQUIRE(pairs > 100);
+    CHECK(kept * 100 >= pairs * 95);
+}
+
+TEST_CASE("Reading a drawing back finds what is wrong with it") {
+    MatrixDrawing drawing = drawing_of(a_matrix().above("1", "2").record());
+    REQUIRE(read_back(drawing).faults.empty());
+    MatrixDrawing moved = drawing;
+    moved.boxes[1].rect = moved.boxes[0].rect;
+    CHECK_FALSE(read_back(moved).faults.empty());
+    moved = drawing;
+    moved.lines[0].points.pop_back();
+    moved.lines[0].points.push_back({drawing.lines[0].points[0].x, drawing.lines[0].points[0].y + 3.0});
+    CHECK_FALSE(read_back(moved).faults.empty());
+    moved = drawing;
+    moved.lines[0].points[0].x = std::nan("");
+    CHECK_FALSE(read_back(moved).faults.empty());
+    moved = drawing;
+    moved.lines[0].points[0].x += 7.0;
+    CHECK_THAT(read_back(moved).faults.at(0), Catch::Contains("slants"));
+}
+
+TEST_CASE("A common bar that states too much is read as it looks") {
+    // Drawn by hand: 1 and 2 come down on one bar from which 3 and 4 go down; meant were 1>3, 1>4, 2>4.
+    MatrixDrawing drawing = drawing_of(a_matrix().above("1", "3").above("1", "4").above("2", "4").record());
+    REQUIRE(drawing.boxes.size() == 4);
+    const double bar = 200.0;
+    for (std::size_t i = 0; i < 4; ++i) drawing.boxes[i].rect = {i % 2 == 0 ? 40.0 : 140.0, i < 2 ? 100.0 : 250.0, 40.0, 20.0};
+    for (DrawnLine& line : drawing.lines) {
+        const DrawRect& a = drawing.boxes[line.later].rect;
+        const DrawRect& b = drawing.boxes[line.earlier].rect;
+        line.points = {{a.centre().x, a.bottom()}, {a.centre().x, bar}, {b.centre().x, bar}, {b.centre().x, b.y}};
+    }
+    drawing.width = 400.0;
+    drawing.height = 400.0;
+    CHECK(read_back(drawing).orders.size() == 4);
+}
