@@ -103,6 +103,8 @@ void add_import_commands(CLI::App& root, Context& context) {
     command->add_option("--numbers", options->numbers, "unit numbers are unique per site or per area")
         ->check(CLI::IsMember({"site", "area"}));
     command->add_option("--area", options->import.area, "area of units in files that name none");
+    command->add_option("--site", options->import.site,
+                        "of several sites in one file the one to read (default: that with most units; * for all)");
     command->add_flag("--update", options->import.update, "values of the files replace differing ones of the project");
     command->add_flag("--dry-run", options->import.dry_run, "say what is new, changed and conflicting; write nothing");
     command->callback([&context, options] { run_import(context, *options); });

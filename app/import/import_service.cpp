@@ -64,6 +64,7 @@ ImportSet read_set(const std::vector<strat::InputFile>& inputs, const strat::Rea
     progress.step("reading " + files.front()->name);
     strat::ReadOptions read_options;
     read_options.area = options.area;
+    read_options.site = options.site;
     auto imported = reading.reader->read(files, read_options, progress);
     set.record = std::move(imported.values);
     set.notes = std::move(imported.diagnostics);

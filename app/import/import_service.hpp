@@ -18,6 +18,7 @@ struct ImportOptions {
     std::string format;                        ///< empty: by content
     std::optional<model::NumberScope> numbers; ///< unset: as the project says
     std::string area;                          ///< for files that name none
+    std::string site;                          ///< of files with several sites; empty: the largest, `*`: all
     bool update = false;
     bool dry_run = false;
 };

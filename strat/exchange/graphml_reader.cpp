@@ -98,13 +98,18 @@ class GraphmlReader {
         for (const GraphmlNode& node : graph_.nodes) {
             const std::string_view type = group_type(node);
             if (type.empty()) continue;
-            std::string name = node.label.empty() ? node.id : node.label;
+            const std::string own = datum(node.data, "number");
+            std::string name = !own.empty() ? own : node.label.empty() ? node.id : node.label;
             if (!used_groups_.insert(name).second) {
                 name += " (" + node.id + ")";
                 used_groups_.insert(name);
             }
             group_names_[node.id] = name;
-            builder_.group(name).values.type = type;
+            model::UnitGroup& group = builder_.group(name).values;
+            const std::string own_type = datum(node.data, "kind");
+            group.type = own_type.empty() ? type : own_type;
+            group.title = datum(node.data, "title");
+            group.description = datum(node.data, "description");
         }
         for (const auto& [id, name] : group_names_) {
             if (const std::string outer = group_around(*find(id)); outer != name) builder_.group(name).parent = outer;
@@ -173,6 +178,7 @@ class GraphmlReader {
             unit.values.form = kind->form;
         }
         if (const auto form = model::from_word<model::UnitForm>(get("form"))) unit.values.form = *form;
+        if (const auto status = model::from_word<model::UnitStatus>(get("status"))) unit.values.status = *status;
         if (unit.values.title.empty()) unit.values.title = get("title");
         if (unit.values.description.empty()) unit.values.description = get("description");
         unit.phase = get("phase");

@@ -180,7 +180,7 @@ void PyarchinitRows::choose_site() {
     const std::string& file = rows_[PyarchinitTable::Units].empty() ? site_ : rows_[PyarchinitTable::Units].front().file;
     if (!others.empty() || taken == 0) {
         builder_.note({file, 0, {}}, "several-sites",
-                      fmt::format("site {} with {} units was read; left out: {}", site_, taken,
+                      fmt::format("site {} with {} units was read; left out: {}; --site takes another or all (*)", site_, taken,
                                   others.empty() ? "none" : others));
     }
 }

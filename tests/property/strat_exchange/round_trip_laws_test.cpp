@@ -123,6 +123,17 @@ TEST_CASE("hm tables hold units, phases, periods, order and same") {
     }));
 }
 
+TEST_CASE("GraphML holds units with their fields, phases, and relations as they were seen") {
+    CHECK(rc::check("read(write(x)) = x", [] {
+        const auto record = *test::generated_record({});
+        RC_PRE(!record.units.empty());
+        check_round_trip("graphml", record, test::Naming::Full,
+                         {"anyunit", "anytitle", "kind", "form", "title", "description", "inphase", "inperiod", "covers",
+                          "cuts", "fills", "abuts", "bonds_with", "same_as", "borders", "later", "contemporary", "order", "above",
+                          "after", "sametime"});
+    }));
+}
+
 TEST_CASE("Every writer writes every record, the same bytes each time") {
     CHECK(rc::check("write is total and stable", [] {
         const auto record = *test::generated_record({});
