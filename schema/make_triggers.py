@@ -14,6 +14,7 @@ RANDOM_UUID = (
     "lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||\n"
     "      substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))"
 )
+UUID_PATTERN = "-".join("[0-9a-f]" * length for length in (8, 4, 4, 4, 12))
 NOW = "strftime('%Y-%m-%dT%H:%M:%fZ','now')"
 LOG_COLUMNS = "made_at, author, action, table_name, record"
 LOG_SOURCE = f"\n    coalesce(c.made_at, {NOW}), coalesce(c.author, 'outside Planum')"
@@ -48,11 +49,21 @@ def marks(table, uuid, time):
         yield f"  UPDATE {child} SET deleted_at = {time} WHERE {column} = {uuid} AND deleted_at IS NULL;\n"
 
 
-def insert_triggers(table):
+def check_references(references):
+    """GDAL switches foreign keys off, so what they say is said again for programs other than Planum."""
+    for column, parent in references:
+        yield (f"  SELECT RAISE(ABORT, '{column}: there is no such {parent}') WHERE NEW.{column} IS NOT NULL\n"
+               f"    AND NOT EXISTS (SELECT 1 FROM {parent} WHERE uuid = NEW.{column});\n")
+
+
+def insert_triggers(table, references):
     # Planum gives uuids itself and logs its inserts many at a time: a trigger that only finds out that it has
     # nothing to do saves a fifth of an import.
     yield (f"CREATE TRIGGER {table}_inserted AFTER INSERT ON {table}\n"
            f"  WHEN (SELECT change FROM planum_context) IS NULL BEGIN\n"
+           f"  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')\n"
+           f"    WHERE NEW.uuid NOT GLOB '{UUID_PATTERN}';\n"
+           + "".join(check_references(references)) +
            f"  UPDATE {table} SET uuid = {RANDOM_UUID}\n    WHERE fid = NEW.fid AND uuid IS NULL;\n"
            f"  INSERT INTO planum_log({LOG_COLUMNS}) SELECT{LOG_SOURCE},\n"
            f"    'insert', '{table}', (SELECT uuid FROM {table} WHERE fid = NEW.fid) FROM planum_context c\n"
@@ -60,7 +71,7 @@ def insert_triggers(table):
            f"END;\n")
 
 
-def update_triggers(table, fields):
+def update_triggers(table, fields, references):
     names = ", ".join(name for name, _ in fields)
     rows = "\n    UNION ALL ".join(
         f"SELECT '{name}'{' AS field' if i == 0 else ''}, {changed_value('OLD', name, kind)}"
@@ -70,6 +81,10 @@ def update_triggers(table, fields):
            f"  WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN\n"
            f"  SELECT RAISE(ABORT, 'the uuid of a record stays as it is');\n"
            f"END;\n")
+    if references:
+        yield (f"CREATE TRIGGER {table}_refers AFTER UPDATE OF {', '.join(c for c, _ in references)} ON {table}\n"
+               f"  WHEN (SELECT change FROM planum_context) IS NULL BEGIN\n"
+               + "".join(check_references(references)) + "END;\n")
     yield (f"CREATE TRIGGER {table}_changed AFTER UPDATE OF {names} ON {table} BEGIN\n"
            f"  INSERT INTO planum_log({LOG_COLUMNS}, field, old_value, new_value, change) SELECT{LOG_SOURCE},\n"
            f"    CASE WHEN f.field <> 'deleted_at' THEN 'update' WHEN NEW.deleted_at IS NULL THEN 'restore'\n"
@@ -137,8 +152,9 @@ def main():
     parts = ["-- Made by schema/make_triggers.py; frozen with schema version 1.\n", RULES]
     for table, columns in record_tables(db):
         fields = [(name, kind) for name, kind in columns if name not in ("fid", "uuid")]
-        parts.extend(insert_triggers(table))
-        parts.extend(update_triggers(table, fields))
+        references = sorted((row[3], row[2]) for row in db.execute(f"PRAGMA foreign_key_list({table})"))
+        parts.extend(insert_triggers(table, references))
+        parts.extend(update_triggers(table, fields, references))
         if table != "project":
             parts.extend(delete_triggers(table, fields))
     text = "".join(parts)

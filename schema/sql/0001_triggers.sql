@@ -31,6 +31,8 @@ CREATE TRIGGER planum_log_unchanged BEFORE UPDATE ON planum_log BEGIN
 END;
 CREATE TRIGGER project_inserted AFTER INSERT ON project
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
   UPDATE project SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -60,6 +62,8 @@ CREATE TRIGGER project_changed AFTER UPDATE OF name, srs_id, tolerance, method, 
 END;
 CREATE TRIGGER area_inserted AFTER INSERT ON area
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
   UPDATE area SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -97,6 +101,8 @@ CREATE TRIGGER area_deleted AFTER DELETE ON area BEGIN
 END;
 CREATE TRIGGER source_inserted AFTER INSERT ON source
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
   UPDATE source SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -134,6 +140,10 @@ CREATE TRIGGER source_deleted AFTER DELETE ON source BEGIN
 END;
 CREATE TRIGGER import_note_inserted AFTER INSERT ON import_note
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'source: there is no such source') WHERE NEW.source IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM source WHERE uuid = NEW.source);
   UPDATE import_note SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -145,6 +155,11 @@ END;
 CREATE TRIGGER import_note_uuid_stays BEFORE UPDATE OF uuid ON import_note
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER import_note_refers AFTER UPDATE OF source ON import_note
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'source: there is no such source') WHERE NEW.source IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM source WHERE uuid = NEW.source);
 END;
 CREATE TRIGGER import_note_changed AFTER UPDATE OF source, line, code, raw_text, message, deleted_at ON import_note BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -171,6 +186,8 @@ CREATE TRIGGER import_note_deleted AFTER DELETE ON import_note BEGIN
 END;
 CREATE TRIGGER period_inserted AFTER INSERT ON period
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
   UPDATE period SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -209,6 +226,10 @@ CREATE TRIGGER period_deleted AFTER DELETE ON period BEGIN
 END;
 CREATE TRIGGER phase_inserted AFTER INSERT ON phase
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'period: there is no such period') WHERE NEW.period IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM period WHERE uuid = NEW.period);
   UPDATE phase SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -220,6 +241,11 @@ END;
 CREATE TRIGGER phase_uuid_stays BEFORE UPDATE OF uuid ON phase
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER phase_refers AFTER UPDATE OF period ON phase
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'period: there is no such period') WHERE NEW.period IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM period WHERE uuid = NEW.period);
 END;
 CREATE TRIGGER phase_changed AFTER UPDATE OF number, title, description, period, year_from, year_to, rank, deleted_at ON phase BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -248,6 +274,16 @@ CREATE TRIGGER phase_deleted AFTER DELETE ON phase BEGIN
 END;
 CREATE TRIGGER unit_inserted AFTER INSERT ON unit
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'area: there is no such area') WHERE NEW.area IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM area WHERE uuid = NEW.area);
+  SELECT RAISE(ABORT, 'parent: there is no such unit') WHERE NEW.parent IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.parent);
+  SELECT RAISE(ABORT, 'period: there is no such period') WHERE NEW.period IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM period WHERE uuid = NEW.period);
+  SELECT RAISE(ABORT, 'phase: there is no such phase') WHERE NEW.phase IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM phase WHERE uuid = NEW.phase);
   UPDATE unit SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -259,6 +295,17 @@ END;
 CREATE TRIGGER unit_uuid_stays BEFORE UPDATE OF uuid ON unit
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER unit_refers AFTER UPDATE OF area, parent, period, phase ON unit
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'area: there is no such area') WHERE NEW.area IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM area WHERE uuid = NEW.area);
+  SELECT RAISE(ABORT, 'parent: there is no such unit') WHERE NEW.parent IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.parent);
+  SELECT RAISE(ABORT, 'period: there is no such period') WHERE NEW.period IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM period WHERE uuid = NEW.period);
+  SELECT RAISE(ABORT, 'phase: there is no such phase') WHERE NEW.phase IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM phase WHERE uuid = NEW.phase);
 END;
 CREATE TRIGGER unit_changed AFTER UPDATE OF number, area, kind, form, status, origin, title, description, interpretation, excavated_from, excavated_on, recorded_by, recorded_on, phase, period, parent, site_code, sector, square, room, position, formation, criteria_of_distinction, mode_of_formation, consistency, colour, munsell, composition, inclusions, organic_components, inorganic_components, thickness, length, width, depth, shape_in_plan, profile, corners, break_of_slope, sides, base, orientation, borders, truncation, preservation, disturbance, masonry_materials, masonry_coursing, masonry_faces, masonry_bonding, timber_type, timber_conversion, timber_marks, skeleton_position, skeleton_completeness, excavation_method, percent_excavated, conditions, sieving, flotation, reliability, activity, dating_evidence, observations, director, checked_by, checked_on, revised_by, revised_on, custom, deleted_at ON unit BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -367,6 +414,12 @@ CREATE TRIGGER unit_takes_along AFTER UPDATE OF deleted_at ON unit
 END;
 CREATE TRIGGER relation_inserted AFTER INSERT ON relation
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'object: there is no such unit') WHERE NEW.object IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.object);
+  SELECT RAISE(ABORT, 'subject: there is no such unit') WHERE NEW.subject IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.subject);
   UPDATE relation SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -378,6 +431,13 @@ END;
 CREATE TRIGGER relation_uuid_stays BEFORE UPDATE OF uuid ON relation
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER relation_refers AFTER UPDATE OF object, subject ON relation
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'object: there is no such unit') WHERE NEW.object IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.object);
+  SELECT RAISE(ABORT, 'subject: there is no such unit') WHERE NEW.subject IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.subject);
 END;
 CREATE TRIGGER relation_changed AFTER UPDATE OF subject, kind, object, certainty, correlation, deleted_at ON relation BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -409,6 +469,12 @@ CREATE TRIGGER relation_takes_along AFTER UPDATE OF deleted_at ON relation
 END;
 CREATE TRIGGER relation_statement_inserted AFTER INSERT ON relation_statement
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'relation: there is no such relation') WHERE NEW.relation IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM relation WHERE uuid = NEW.relation);
+  SELECT RAISE(ABORT, 'source: there is no such source') WHERE NEW.source IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM source WHERE uuid = NEW.source);
   UPDATE relation_statement SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -420,6 +486,13 @@ END;
 CREATE TRIGGER relation_statement_uuid_stays BEFORE UPDATE OF uuid ON relation_statement
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER relation_statement_refers AFTER UPDATE OF relation, source ON relation_statement
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'relation: there is no such relation') WHERE NEW.relation IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM relation WHERE uuid = NEW.relation);
+  SELECT RAISE(ABORT, 'source: there is no such source') WHERE NEW.source IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM source WHERE uuid = NEW.source);
 END;
 CREATE TRIGGER relation_statement_changed AFTER UPDATE OF relation, side, source, line, person, raw_text, stated_at, deleted_at ON relation_statement BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -448,6 +521,10 @@ CREATE TRIGGER relation_statement_deleted AFTER DELETE ON relation_statement BEG
 END;
 CREATE TRIGGER unit_group_inserted AFTER INSERT ON unit_group
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'parent: there is no such unit_group') WHERE NEW.parent IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit_group WHERE uuid = NEW.parent);
   UPDATE unit_group SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -459,6 +536,11 @@ END;
 CREATE TRIGGER unit_group_uuid_stays BEFORE UPDATE OF uuid ON unit_group
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER unit_group_refers AFTER UPDATE OF parent ON unit_group
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'parent: there is no such unit_group') WHERE NEW.parent IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit_group WHERE uuid = NEW.parent);
 END;
 CREATE TRIGGER unit_group_changed AFTER UPDATE OF number, type, title, description, parent, deleted_at ON unit_group BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -490,6 +572,12 @@ CREATE TRIGGER unit_group_takes_along AFTER UPDATE OF deleted_at ON unit_group
 END;
 CREATE TRIGGER group_member_inserted AFTER INSERT ON group_member
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
+  SELECT RAISE(ABORT, 'unit_group: there is no such unit_group') WHERE NEW.unit_group IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit_group WHERE uuid = NEW.unit_group);
   UPDATE group_member SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -501,6 +589,13 @@ END;
 CREATE TRIGGER group_member_uuid_stays BEFORE UPDATE OF uuid ON group_member
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER group_member_refers AFTER UPDATE OF unit, unit_group ON group_member
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
+  SELECT RAISE(ABORT, 'unit_group: there is no such unit_group') WHERE NEW.unit_group IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit_group WHERE uuid = NEW.unit_group);
 END;
 CREATE TRIGGER group_member_changed AFTER UPDATE OF unit_group, unit, deleted_at ON group_member BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -524,6 +619,10 @@ CREATE TRIGGER group_member_deleted AFTER DELETE ON group_member BEGIN
 END;
 CREATE TRIGGER level_inserted AFTER INSERT ON level
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
   UPDATE level SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -535,6 +634,11 @@ END;
 CREATE TRIGGER level_uuid_stays BEFORE UPDATE OF uuid ON level
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER level_refers AFTER UPDATE OF unit ON level
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
 END;
 CREATE TRIGGER level_changed AFTER UPDATE OF geom, unit, x, y, z, role, label, deleted_at ON level BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -563,6 +667,10 @@ CREATE TRIGGER level_deleted AFTER DELETE ON level BEGIN
 END;
 CREATE TRIGGER find_inserted AFTER INSERT ON find
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
   UPDATE find SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -574,6 +682,11 @@ END;
 CREATE TRIGGER find_uuid_stays BEFORE UPDATE OF uuid ON find
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER find_refers AFTER UPDATE OF unit ON find
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
 END;
 CREATE TRIGGER find_changed AFTER UPDATE OF geom, number, unit, x, y, z, type, material, count, weight, condition, box, found_on, description, deleted_at ON find BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -609,6 +722,12 @@ CREATE TRIGGER find_deleted AFTER DELETE ON find BEGIN
 END;
 CREATE TRIGGER dating_inserted AFTER INSERT ON dating
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'find: there is no such find') WHERE NEW.find IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM find WHERE uuid = NEW.find);
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
   UPDATE dating SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -620,6 +739,13 @@ END;
 CREATE TRIGGER dating_uuid_stays BEFORE UPDATE OF uuid ON dating
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER dating_refers AFTER UPDATE OF find, unit ON dating
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'find: there is no such find') WHERE NEW.find IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM find WHERE uuid = NEW.find);
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
 END;
 CREATE TRIGGER dating_changed AFTER UPDATE OF label, unit, find, kind, year_from, year_to, bp, bp_error, association, notes, deleted_at ON dating BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -651,6 +777,10 @@ CREATE TRIGGER dating_deleted AFTER DELETE ON dating BEGIN
 END;
 CREATE TRIGGER sample_inserted AFTER INSERT ON sample
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
   UPDATE sample SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -662,6 +792,11 @@ END;
 CREATE TRIGGER sample_uuid_stays BEFORE UPDATE OF uuid ON sample
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER sample_refers AFTER UPDATE OF unit ON sample
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
 END;
 CREATE TRIGGER sample_changed AFTER UPDATE OF number, unit, type, volume, weight, laboratory_number, state, description, deleted_at ON sample BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -691,6 +826,10 @@ CREATE TRIGGER sample_deleted AFTER DELETE ON sample BEGIN
 END;
 CREATE TRIGGER document_inserted AFTER INSERT ON document
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
   UPDATE document SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -702,6 +841,11 @@ END;
 CREATE TRIGGER document_uuid_stays BEFORE UPDATE OF uuid ON document
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER document_refers AFTER UPDATE OF unit ON document
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
 END;
 CREATE TRIGGER document_changed AFTER UPDATE OF number, type, title, unit, path, made_on, author, deleted_at ON document BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -730,6 +874,10 @@ CREATE TRIGGER document_deleted AFTER DELETE ON document BEGIN
 END;
 CREATE TRIGGER surface_inserted AFTER INSERT ON surface
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'area: there is no such area') WHERE NEW.area IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM area WHERE uuid = NEW.area);
   UPDATE surface SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -741,6 +889,11 @@ END;
 CREATE TRIGGER surface_uuid_stays BEFORE UPDATE OF uuid ON surface
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER surface_refers AFTER UPDATE OF area ON surface
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'area: there is no such area') WHERE NEW.area IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM area WHERE uuid = NEW.area);
 END;
 CREATE TRIGGER surface_changed AFTER UPDATE OF area, name, method, first_day, last_day, place, deleted_at ON surface BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -768,6 +921,10 @@ CREATE TRIGGER surface_deleted AFTER DELETE ON surface BEGIN
 END;
 CREATE TRIGGER section_inserted AFTER INSERT ON section
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'area: there is no such area') WHERE NEW.area IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM area WHERE uuid = NEW.area);
   UPDATE section SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -779,6 +936,11 @@ END;
 CREATE TRIGGER section_uuid_stays BEFORE UPDATE OF uuid ON section
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER section_refers AFTER UPDATE OF area ON section
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'area: there is no such area') WHERE NEW.area IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM area WHERE uuid = NEW.area);
 END;
 CREATE TRIGGER section_changed AFTER UPDATE OF geom, area, name, day, deleted_at ON section BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -804,6 +966,16 @@ CREATE TRIGGER section_deleted AFTER DELETE ON section BEGIN
 END;
 CREATE TRIGGER region_inserted AFTER INSERT ON region
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'section: there is no such section') WHERE NEW.section IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM section WHERE uuid = NEW.section);
+  SELECT RAISE(ABORT, 'seen_in: there is no such unit') WHERE NEW.seen_in IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.seen_in);
+  SELECT RAISE(ABORT, 'surface: there is no such surface') WHERE NEW.surface IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM surface WHERE uuid = NEW.surface);
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
   UPDATE region SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -815,6 +987,17 @@ END;
 CREATE TRIGGER region_uuid_stays BEFORE UPDATE OF uuid ON region
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER region_refers AFTER UPDATE OF section, seen_in, surface, unit ON region
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'section: there is no such section') WHERE NEW.section IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM section WHERE uuid = NEW.section);
+  SELECT RAISE(ABORT, 'seen_in: there is no such unit') WHERE NEW.seen_in IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.seen_in);
+  SELECT RAISE(ABORT, 'surface: there is no such surface') WHERE NEW.surface IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM surface WHERE uuid = NEW.surface);
+  SELECT RAISE(ABORT, 'unit: there is no such unit') WHERE NEW.unit IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.unit);
 END;
 CREATE TRIGGER region_changed AFTER UPDATE OF geom, surface, section, unit, unit_as_drawn, part, category, shows, sigma, drawn_on, seen_in, notes, deleted_at ON region BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -848,6 +1031,10 @@ CREATE TRIGGER region_deleted AFTER DELETE ON region BEGIN
 END;
 CREATE TRIGGER scan_inserted AFTER INSERT ON scan
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'surface: there is no such surface') WHERE NEW.surface IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM surface WHERE uuid = NEW.surface);
   UPDATE scan SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -859,6 +1046,11 @@ END;
 CREATE TRIGGER scan_uuid_stays BEFORE UPDATE OF uuid ON scan
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER scan_refers AFTER UPDATE OF surface ON scan
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'surface: there is no such surface') WHERE NEW.surface IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM surface WHERE uuid = NEW.surface);
 END;
 CREATE TRIGGER scan_changed AFTER UPDATE OF name, day, surface, path, sha256, format, cloud, points, rows, columns, sensor, acquired_at, header_pose, deleted_at ON scan BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -898,6 +1090,8 @@ CREATE TRIGGER scan_takes_along AFTER UPDATE OF deleted_at ON scan
 END;
 CREATE TRIGGER registration_run_inserted AFTER INSERT ON registration_run
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
   UPDATE registration_run SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -935,6 +1129,12 @@ CREATE TRIGGER registration_run_deleted AFTER DELETE ON registration_run BEGIN
 END;
 CREATE TRIGGER scan_pose_inserted AFTER INSERT ON scan_pose
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'run: there is no such registration_run') WHERE NEW.run IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM registration_run WHERE uuid = NEW.run);
+  SELECT RAISE(ABORT, 'scan: there is no such scan') WHERE NEW.scan IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM scan WHERE uuid = NEW.scan);
   UPDATE scan_pose SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -946,6 +1146,13 @@ END;
 CREATE TRIGGER scan_pose_uuid_stays BEFORE UPDATE OF uuid ON scan_pose
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER scan_pose_refers AFTER UPDATE OF run, scan ON scan_pose
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'run: there is no such registration_run') WHERE NEW.run IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM registration_run WHERE uuid = NEW.run);
+  SELECT RAISE(ABORT, 'scan: there is no such scan') WHERE NEW.scan IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM scan WHERE uuid = NEW.scan);
 END;
 CREATE TRIGGER scan_pose_changed AFTER UPDATE OF geom, scan, run, site_from_scan, covariance, rms, overlap, verdict, deleted_at ON scan_pose BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -975,6 +1182,8 @@ CREATE TRIGGER scan_pose_deleted AFTER DELETE ON scan_pose BEGIN
 END;
 CREATE TRIGGER decision_inserted AFTER INSERT ON decision
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
   UPDATE decision SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -1015,6 +1224,10 @@ CREATE TRIGGER decision_deleted AFTER DELETE ON decision BEGIN
 END;
 CREATE TRIGGER interpretation_inserted AFTER INSERT ON interpretation
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'parent: there is no such interpretation') WHERE NEW.parent IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM interpretation WHERE uuid = NEW.parent);
   UPDATE interpretation SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -1026,6 +1239,11 @@ END;
 CREATE TRIGGER interpretation_uuid_stays BEFORE UPDATE OF uuid ON interpretation
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER interpretation_refers AFTER UPDATE OF parent ON interpretation
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'parent: there is no such interpretation') WHERE NEW.parent IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM interpretation WHERE uuid = NEW.parent);
 END;
 CREATE TRIGGER interpretation_changed AFTER UPDATE OF name, parent, author, made_at, deleted_at ON interpretation BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -1058,6 +1276,14 @@ CREATE TRIGGER interpretation_takes_along AFTER UPDATE OF deleted_at ON interpre
 END;
 CREATE TRIGGER interpretation_added_inserted AFTER INSERT ON interpretation_added
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'interpretation: there is no such interpretation') WHERE NEW.interpretation IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM interpretation WHERE uuid = NEW.interpretation);
+  SELECT RAISE(ABORT, 'object: there is no such unit') WHERE NEW.object IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.object);
+  SELECT RAISE(ABORT, 'subject: there is no such unit') WHERE NEW.subject IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.subject);
   UPDATE interpretation_added SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -1069,6 +1295,15 @@ END;
 CREATE TRIGGER interpretation_added_uuid_stays BEFORE UPDATE OF uuid ON interpretation_added
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER interpretation_added_refers AFTER UPDATE OF interpretation, object, subject ON interpretation_added
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'interpretation: there is no such interpretation') WHERE NEW.interpretation IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM interpretation WHERE uuid = NEW.interpretation);
+  SELECT RAISE(ABORT, 'object: there is no such unit') WHERE NEW.object IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.object);
+  SELECT RAISE(ABORT, 'subject: there is no such unit') WHERE NEW.subject IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM unit WHERE uuid = NEW.subject);
 END;
 CREATE TRIGGER interpretation_added_changed AFTER UPDATE OF interpretation, subject, kind, object, certainty, correlation, deleted_at ON interpretation_added BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT
@@ -1096,6 +1331,10 @@ CREATE TRIGGER interpretation_added_deleted AFTER DELETE ON interpretation_added
 END;
 CREATE TRIGGER interpretation_dropped_inserted AFTER INSERT ON interpretation_dropped
   WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'a uuid is written in lower-case hexadecimal digits with four hyphens')
+    WHERE NEW.uuid NOT GLOB '[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f]-[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]';
+  SELECT RAISE(ABORT, 'interpretation: there is no such interpretation') WHERE NEW.interpretation IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM interpretation WHERE uuid = NEW.interpretation);
   UPDATE interpretation_dropped SET uuid = lower(hex(randomblob(4)) || '-' || hex(randomblob(2)) || '-4' || substr(hex(randomblob(2)), 2) || '-' ||
       substr('89ab', 1 + (random() & 3), 1) || substr(hex(randomblob(2)), 2) || '-' || hex(randomblob(6)))
     WHERE fid = NEW.fid AND uuid IS NULL;
@@ -1107,6 +1346,11 @@ END;
 CREATE TRIGGER interpretation_dropped_uuid_stays BEFORE UPDATE OF uuid ON interpretation_dropped
   WHEN OLD.uuid IS NOT NULL AND NEW.uuid IS NOT OLD.uuid BEGIN
   SELECT RAISE(ABORT, 'the uuid of a record stays as it is');
+END;
+CREATE TRIGGER interpretation_dropped_refers AFTER UPDATE OF interpretation ON interpretation_dropped
+  WHEN (SELECT change FROM planum_context) IS NULL BEGIN
+  SELECT RAISE(ABORT, 'interpretation: there is no such interpretation') WHERE NEW.interpretation IS NOT NULL
+    AND NOT EXISTS (SELECT 1 FROM interpretation WHERE uuid = NEW.interpretation);
 END;
 CREATE TRIGGER interpretation_dropped_changed AFTER UPDATE OF interpretation, relation, deleted_at ON interpretation_dropped BEGIN
   INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) SELECT

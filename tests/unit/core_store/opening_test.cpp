@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <functional>
+#include <random>
+
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "core/sqlite/database.hpp"
+#include "core/store/project_file.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/core_store/filled_project.hpp"
+
+using namespace planum;
+using namespace planum::store;
+using planum::test::a_unit;
+using planum::test::message_of;
+
+namespace {
+
+constexpr std::uintmax_t kLimit = 64U << 20U;
+
+std::string filled_bytes(const test::TemporaryFolder& folder) {
+    test::TestEnvironment environment;
+    (void)test::fill_project(folder / "whole.gpkg", environment);
+    return read_file(folder / "whole.gpkg", kLimit);
+}
+
+/// Opens, reads and tries to write; Errors are what is expected of damaged files, anything else is not.
+/// Returns whether everything went well.
+bool open_and_use(const std::filesystem::path& file, OpenMode mode) {
+    test::TestEnvironment environment(99);
+    try {
+        const ProjectFile project = ProjectFile::open(file, mode, environment.get());
+        (void)project.load();
+        (void)project.history(100);
+        (void)project.log(std::nullopt, 100);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+void run_sql(const std::filesystem::path& file, std::string_view sql) {
+    sqlite::Database::open(file, sqlite::Access::ReadWrite).execute(sql);
+}
+
+/// Runs `work` in a process of its own; returns its exit status, or 1000 + the signal that ended it.
+int in_child(const std::function<int()>& work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        int status = 70;
+        try {
+            status = work();
+        } catch (...) {
+            status = 71;
+        }
+        _exit(status);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+}
+
+/// The message of a change that does not fit.
+std::string add_too_much(const std::filesystem::path& file) {
+    test::TestEnvironment environment(5);
+    ProjectFile project = ProjectFile::open(file, OpenMode::ReadWrite, environment.get());
+    return message_of([&] {
+        project.change("Too much", [&] {
+            for (int i = 0; i < 4000; ++i) project.insert(a_unit("n" + std::to_string(i)));
+        });
+    });
+}
+
+} // namespace
+
+TEST_CASE("Files that are no projects are refused with a sentence") {
+    const test::TemporaryFolder folder;
+    test::TestEnvironment environment;
+    const auto said = [&](const std::filesystem::path& file) {
+        return message_of([&] { (void)ProjectFile::open(file, OpenMode::ReadOnly, environment.get()); });
+    };
+    CHECK(said(folder / "none.gpkg").find("no such file") != std::string::npos);
+    CHECK(said(folder.write("text.gpkg", "hello")).find("not a SQLite database") != std::string::npos);
+    CHECK(said(folder.write("empty.gpkg", "")).find("empty") != std::string::npos);
+    sqlite::Database::open(folder / "other.gpkg", sqlite::Access::Create).execute("CREATE TABLE t(a)");
+    CHECK(said(folder / "other.gpkg").find("not a GeoPackage") != std::string::npos);
+    sqlite::Database::open(folder / "plain.gpkg", sqlite::Access::Create)
+        .execute("PRAGMA application_id = 1196444487; CREATE TABLE t(a)");
+    CHECK(said(folder / "plain.gpkg").find("not a Planum project") != std::string::npos);
+}
+
+TEST_CASE("A newer schema is refused with both versions named") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    run_sql(folder / "whole.gpkg", "UPDATE planum_meta SET value = '9' WHERE key = 'schema_version'");
+    test::TestEnvironment environment;
+    const std::string said =
+        message_of([&] { (void)ProjectFile::open(folder / "whole.gpkg", OpenMode::ReadWrite, environment.get()); });
+    CHECK(said.find("schema version 9, this program knows up to 1") != std::string::npos);
+}
+
+TEST_CASE("A project cut short at any page is refused, and not a byte of it changes") {
+    const test::TemporaryFolder folder;
+    const std::string whole = filled_bytes(folder);
+    for (std::size_t length = 0; length < whole.size(); length += 4096) {
+        for (const std::size_t cut : {length, length + 100}) {
+            INFO("cut at " << cut);
+            const std::string bytes = whole.substr(0, cut);
+            const auto file = folder.write("cut.gpkg", bytes);
+            CHECK_FALSE(open_and_use(file, OpenMode::ReadWrite));
+            CHECK(read_file(file, kLimit) == bytes);
+        }
+    }
+}
+
+TEST_CASE("Flipped bytes give an error or a project, never a crash, and reading changes nothing") {
+    const test::TemporaryFolder folder;
+    const std::string whole = filled_bytes(folder);
+    std::mt19937 random(20250601);
+    for (int round = 0; round < 150; ++round) {
+        std::string bytes = whole;
+        for (int flips = 0; flips < 1 + round % 40; ++flips) {
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        }
+        INFO("round " << round);
+        const auto file = folder.write("flipped.gpkg", bytes);
+        (void)open_and_use(file, OpenMode::ReadOnly);
+        CHECK(read_file(file, kLimit) == bytes);
+    }
+}
+
+TEST_CASE("Triggers, views and indexes of others on our tables make a project import-only") {
+    const test::TemporaryFolder folder;
+    const std::string whole = filled_bytes(folder);
+    test::TestEnvironment environment;
+    const std::array hostile = {
+        "CREATE TRIGGER extra AFTER INSERT ON unit BEGIN DELETE FROM find; END",
+        "CREATE TRIGGER extra AFTER UPDATE ON gpkg_contents BEGIN DELETE FROM find; END",
+        "DROP TRIGGER unit_inserted; CREATE TRIGGER unit_inserted AFTER INSERT ON unit BEGIN DELETE FROM find; END",
+        "CREATE VIEW seen AS SELECT * FROM unit",
+        "CREATE TRIGGER rtree_find_geom_insert AFTER INSERT ON find BEGIN DELETE FROM unit; END",
+        "DROP INDEX unit_number; CREATE INDEX unit_number ON unit(number)",
+        "PRAGMA legacy_alter_table=ON; PRAGMA foreign_keys=OFF; DROP TABLE import_note; CREATE TABLE import_note(fid INTEGER "
+        "PRIMARY KEY, uuid, source, line, code, raw_text, message, deleted_at)",
+    };
+    for (const char* sql : hostile) {
+        INFO(sql);
+        const auto file = folder.write("hostile.gpkg", whole);
+        run_sql(file, sql);
+        const std::string before = read_file(file, kLimit);
+        ProjectFile project = ProjectFile::open(file, OpenMode::ReadWrite, environment.get());
+        CHECK(project.open_report().import_only);
+        CHECK_FALSE(project.open_report().import_only_because.empty());
+        CHECK(project.load().units.size() == 6);
+        CHECK(message_of([&] { project.change("Add", [&] { project.insert(a_unit("77")); }); }).find("import it into a new project") !=
+              std::string::npos);
+        CHECK_THROWS_AS(project.undo(), Error);
+        CHECK(read_file(file, kLimit) == before);
+    }
+}
+
+TEST_CASE("Tables, columns and templates of others are left alone") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    const auto file = folder / "whole.gpkg";
+    run_sql(file, "CREATE TABLE my_notes(a); CREATE TRIGGER mine AFTER INSERT ON my_notes BEGIN SELECT 1; END;"
+                  "CREATE VIEW my_view AS SELECT * FROM my_notes; ALTER TABLE unit ADD COLUMN weather TEXT");
+    test::TestEnvironment environment(5);
+    ProjectFile project = ProjectFile::open(file, OpenMode::ReadWrite, environment.get());
+    CHECK_FALSE(project.open_report().import_only);
+    CHECK(project.open_report().notes.empty());
+    CHECK(project.change("Add", [&] { project.insert(a_unit("77")); }) == 3);
+    (void)project.undo();
+}
+
+TEST_CASE("A trigger or index that somebody dropped is put back, and that is said") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    run_sql(folder / "whole.gpkg", "DROP TRIGGER unit_changed; DROP INDEX unit_number");
+    test::TestEnvironment environment(5);
+    {
+        const ProjectFile project = ProjectFile::open(folder / "whole.gpkg", OpenMode::ReadWrite, environment.get());
+        CHECK(project.open_report().notes.size() == 2);
+    }
+    const ProjectFile again = ProjectFile::open(folder / "whole.gpkg", OpenMode::ReadWrite, environment.get());
+    CHECK(again.open_report().notes.empty());
+}
+
+TEST_CASE("A project without one of its tables or columns is no project") {
+    const test::TemporaryFolder folder;
+    const std::string whole = filled_bytes(folder);
+    for (const char* sql : {"PRAGMA foreign_keys=OFF; DROP TABLE level", "DROP TRIGGER find_changed; DROP TRIGGER find_deleted; ALTER TABLE find DROP COLUMN box",
+                            "PRAGMA foreign_keys=OFF; DROP TABLE find; CREATE VIEW find AS SELECT 1 AS fid",
+                            "DELETE FROM planum_meta", "UPDATE planum_meta SET value = 'x'"}) {
+        INFO(sql);
+        const auto file = folder.write("broken.gpkg", whole);
+        run_sql(file, sql);
+        CHECK_FALSE(open_and_use(file, OpenMode::ReadOnly));
+    }
+}
+
+TEST_CASE("Values that no rule would have let in are named by table, not met with a crash") {
+    const test::TemporaryFolder folder;
+    const std::string whole = filled_bytes(folder);
+    test::TestEnvironment environment;
+    for (const char* sql : {"PRAGMA ignore_check_constraints=ON; UPDATE unit SET kind = 'hole'",
+                            "PRAGMA ignore_check_constraints=ON; UPDATE region SET geom = x'475000'",
+                            "UPDATE scan_pose SET site_from_scan = '1 2 three'"}) {
+        INFO(sql);
+        const auto file = folder.write("odd.gpkg", whole);
+        run_sql(file, sql);
+        CHECK_FALSE(open_and_use(file, OpenMode::ReadOnly));
+    }
+}
+
+TEST_CASE("A project left in write-ahead mode is read, and set back when opened for writing") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    const auto file = folder / "whole.gpkg";
+    run_sql(file, "PRAGMA journal_mode = WAL");
+    test::TestEnvironment environment(5);
+    {
+        const ProjectFile reading = ProjectFile::open(file, OpenMode::ReadOnly, environment.get());
+        CHECK(reading.load().units.size() == 6);
+        CHECK(reading.open_report().notes.size() == 1);
+        CHECK_FALSE(std::filesystem::exists(file.string() + "-wal"));
+    }
+    ProjectFile writing = ProjectFile::open(file, OpenMode::ReadWrite, environment.get());
+    REQUIRE(writing.open_report().notes.size() == 1);
+    CHECK(writing.open_report().notes[0].find("it was set back") != std::string::npos);
+    CHECK_FALSE(sqlite::read_header(file).wal);
+    CHECK(writing.change("Add", [&] { writing.insert(a_unit("77")); }) > 0);
+}
+
+TEST_CASE("What another process left in a write-ahead file is not lost") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    const auto file = folder / "whole.gpkg";
+    const int status = in_child([&] {
+        const sqlite::Database database = sqlite::Database::open(file, sqlite::Access::ReadWrite);
+        database.execute("PRAGMA journal_mode = WAL; UPDATE unit SET title = 'from the field' WHERE number = '1'");
+        std::raise(SIGKILL); // as when QGIS crashes
+        return 0;
+    });
+    REQUIRE(status == 1000 + SIGKILL);
+    REQUIRE(std::filesystem::file_size(file.string() + "-wal") > 0);
+    test::TestEnvironment environment(5);
+    CHECK(ProjectFile::open(file, OpenMode::ReadOnly, environment.get()).load().units.at(0).title == "from the field");
+    CHECK(ProjectFile::open(file, OpenMode::ReadWrite, environment.get()).load().units.at(0).title == "from the field");
+    CHECK_FALSE(std::filesystem::exists(file.string() + "-wal"));
+}
+
+TEST_CASE("A project on read-only media can be read and not written") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    const auto file = folder / "whole.gpkg";
+    for (const bool wal : {false, true}) {
+        if (wal) run_sql(file, "PRAGMA journal_mode = WAL");
+        std::filesystem::permissions(file, std::filesystem::perms{0444});
+        std::filesystem::permissions(folder.path(), std::filesystem::perms{0555});
+        const int status = in_child([&] {
+            // Permissions do not bind root.
+            if (getuid() == 0 && setuid(65534) != 0) return 1;
+            test::TestEnvironment environment(5);
+            if (ProjectFile::open(file, OpenMode::ReadOnly, environment.get()).load().units.size() != 6) return 2;
+            const std::string said =
+                message_of([&] { (void)ProjectFile::open(file, OpenMode::ReadWrite, environment.get()); });
+            return said.find("read-only") != std::string::npos ? 0 : 3;
+        });
+        std::filesystem::permissions(folder.path(), std::filesystem::perms{0755});
+        std::filesystem::permissions(file, std::filesystem::perms{0644});
+        INFO("wal " << wal);
+        CHECK(status == 0);
+    }
+}
+
+TEST_CASE("A write that fails is an error, and nothing is changed") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    const auto file = folder / "whole.gpkg";
+    const std::string before = test::raw_rows(file);
+    const int status = in_child([&] {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const auto size = static_cast<rlim_t>(std::filesystem::file_size(file));
+        const rlimit limit{size + 8192, size + 8192};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        return add_too_much(file).find("disk") != std::string::npos ? 0 : 3;
+    });
+    CHECK(status == 0);
+    CHECK(test::raw_rows(file) == before);
+    test::TestEnvironment environment(6);
+    CHECK(ProjectFile::open(file, OpenMode::ReadWrite, environment.get()).verify(Progress::none()).empty());
+}
+
+TEST_CASE("A full disk is said by name, and nothing is changed") {
+    const test::TemporaryFolder folder;
+    (void)filled_bytes(folder);
+    const auto disk = folder / "disk";
+    std::filesystem::create_directory(disk);
+    const int status = in_child([&] {
+        // A disk of its own, seen by this process only; where even that is forbidden there is nothing to test.
+        const int spaces = getuid() == 0 ? CLONE_NEWNS : CLONE_NEWNS | CLONE_NEWUSER;
+        if (unshare(spaces) != 0 || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+            mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=1500k") != 0) {
+            return 77;
+        }
+        const auto file = disk / "site.gpkg";
+        std::filesystem::copy_file(folder / "whole.gpkg", file);
+        const std::string before = test::raw_rows(file);
+        if (add_too_much(file).find("the disk is full") == std::string::npos) return 3;
+        test::TestEnvironment environment(6);
+        const ProjectFile project = ProjectFile::open(file, OpenMode::ReadWrite, environment.get());
+        return test::raw_rows(file) == before && project.verify(Progress::none()).empty() ? 0 : 4;
+    });
+    if (status == 77) {
+        WARN("skipped: no disk may be mounted here");
+        return;
+    }
+    CHECK(status == 0);
+}
+
+TEST_CASE("Two processes write one project in turn, and each sees the other's work") {
+    const test::TemporaryFolder folder;
+    test::TestEnvironment environment;
+    const auto file = folder / "site.gpkg";
+    ProjectFile project = ProjectFile::create(file, test::some_settings(), environment.get());
+    constexpr int kEach = 20;
+    const pid_t child = fork();
+    if (child == 0) {
+        int status = 0;
+        try {
+            test::TestEnvironment other(1234);
+            ProjectFile same = ProjectFile::open(file, OpenMode::ReadWrite, other.get("Bea"));
+            for (int i = 0; i < kEach; ++i) same.change("Theirs", [&] { same.insert(a_unit("b" + std::to_string(i))); });
+        } catch (...) {
+            status = 1;
+        }
+        _exit(status);
+    }
+    for (int i = 0; i < kEach; ++i) project.change("Mine", [&] { project.insert(a_unit("a" + std::to_string(i))); });
+    int status = -1;
+    waitpid(child, &status, 0);
+    CHECK(status == 0);
+    CHECK(project.load().units.size() == 2 * kEach);
+    CHECK(project.history(100).size() == 2 * kEach);
+    CHECK(project.verify(Progress::none()).empty());
+}
