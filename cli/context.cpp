@@ -33,7 +33,7 @@ CLI::App* add_command(CLI::App& parent, Context& context, const std::string& nam
     command->add_flag("--json", context.json, "print the result as JSON");
     command->add_flag("-q,--quiet", context.quiet, "no remarks, no progress");
     command->add_flag("-v,--verbose", context.verbose, "say more");
-    command->add_option("--author", context.author, "who does this (default: $PLANUM_AUTHOR or the account)");
+    command->add_option("--by", context.author, "who does this (default: $PLANUM_AUTHOR or the account)");
     return command;
 }
 

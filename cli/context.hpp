@@ -10,6 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/export/export_record.hpp"
 #include "app/project/project.hpp"
 #include "core/base/progress.hpp"
 
@@ -51,6 +52,10 @@ void add_check_commands(CLI::App& root, Context& context);
 void add_matrix_commands(CLI::App& root, Context& context);
 void add_report_commands(CLI::App& root, Context& context);
 void add_demo_commands(CLI::App& root, Context& context);
+
+/// Writes the record for another program and says what was not carried.
+void write_export(const Context& context, app::Project& project, const std::filesystem::path& file,
+                  const app::ExportOptions& options);
 
 /// Runs the program on its arguments (without its own name) and returns the exit status of DESIGN 5.
 int run_command_line(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);

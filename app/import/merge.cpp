@@ -29,6 +29,11 @@ using Triple = std::tuple<model::UnitId, RelationKind, model::UnitId>;
 // What makes two statements the same one, so that they are counted and not repeated.
 using StatementKey = std::tuple<model::RelationId, StatementSide, model::SourceId, std::string>;
 
+// Phase numbers restart in each period.
+std::string phase_key(const std::string& period, const std::string& number) {
+    return period + '\x1F' + number;
+}
+
 class Merge {
   public:
     Merge(const model::Record& current, const MergeOptions& options, UuidSource& ids, const Clock& clock)
@@ -65,6 +70,8 @@ class Merge {
     void collect();
 
     model::SourceId source_id(const std::string& name) const;
+    [[nodiscard]] std::string number_of(model::PeriodId period) const;
+    [[nodiscard]] model::PhaseId phase_of(const strat::ImportedUnit& sheet) const;
     model::PhysicalRelation& relation(const strat::StatedRelation& stated, std::size_t subject, std::size_t object);
     [[nodiscard]] model::UnitId unit_of(const strat::UnitName& name);
 
@@ -117,7 +124,7 @@ class Merge {
 void Merge::index_existing() {
     for (const model::Source& s : current_.sources) sources_[s.name] = {s, false, false};
     for (const model::Period& p : current_.periods) periods_[p.number] = {p, false, false};
-    for (const model::Phase& p : current_.phases) phases_[p.number] = {p, false, false};
+    for (const model::Phase& p : current_.phases) phases_[phase_key(number_of(p.period), p.number)] = {p, false, false};
     for (const model::UnitGroup& g : current_.groups) groups_[g.number] = {g, false, false};
     for (const model::Find& f : current_.finds) finds_[f.number] = {f, false, false};
     relations_.reserve(current_.relations.size());
@@ -170,8 +177,8 @@ void Merge::merge_chronology(const ImportSet& set) {
         merge.optional("rank", kept.value.rank, offered.rank);
     }
     for (const strat::ImportedPhase& offered : set.record.phases) {
-        auto [it, fresh] =
-            phases_.try_emplace(offered.values.number, Kept<model::Phase>{offered.values, true, false});
+        auto [it, fresh] = phases_.try_emplace(phase_key(offered.period, offered.values.number),
+                                               Kept<model::Phase>{offered.values, true, false});
         Kept<model::Phase>& kept = it->second;
         model::PeriodId period;
         if (const auto p = periods_.find(offered.period); p != periods_.end()) period = p->second.value.id;
@@ -188,6 +195,28 @@ void Merge::merge_chronology(const ImportSet& set) {
         merge.optional("to", kept.value.to, offered.values.to);
         merge.optional("rank", kept.value.rank, offered.values.rank);
     }
+}
+
+std::string Merge::number_of(model::PeriodId period) const {
+    for (const model::Period& p : current_.periods) {
+        if (p.id == period) return p.number;
+    }
+    return {};
+}
+
+// A sheet that names no period means the only phase of that number, if there is only one.
+model::PhaseId Merge::phase_of(const strat::ImportedUnit& sheet) const {
+    if (sheet.phase.empty()) return {};
+    if (const auto it = phases_.find(phase_key(sheet.period, sheet.phase)); it != phases_.end()) {
+        return it->second.value.id;
+    }
+    model::PhaseId found;
+    for (const auto& [key, kept] : phases_) {
+        if (kept.value.number != sheet.phase) continue;
+        if (!found.is_nil()) return {};
+        found = kept.value.id;
+    }
+    return found;
 }
 
 void Merge::merge_sheets(const ImportSet& set) {
@@ -224,9 +253,7 @@ void Merge::merge_sheet(const strat::ImportedUnit& sheet) {
         if (value.empty()) continue;
         merge.text(field, unit.details[field], value);
     }
-    if (const auto it = phases_.find(sheet.phase); it != phases_.end()) {
-        merge.id("phase", unit.phase, it->second.value.id);
-    }
+    merge.id("phase", unit.phase, phase_of(sheet));
     if (const auto it = periods_.find(sheet.period); it != periods_.end()) {
         merge.id("period", unit.period, it->second.value.id);
     }

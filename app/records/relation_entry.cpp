@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "strat/checks/incremental.hpp"
 #include "strat/matrix/harris_matrix.hpp"
 
 namespace planum::app {
@@ -82,16 +83,15 @@ std::string add_relation(Project& project, const RelationEntry& entry, std::stri
 }
 
 std::vector<model::UnitId> would_close_cycle(Project& project, const SaidRelation& relation) {
-    if (model::time_meaning(relation.kind) != model::TimeMeaning::SubjectLater) return {};
     const auto& record = project.record();
     const auto matrix = strat::HarrisMatrix::build(record);
-    const auto later = matrix.node_of(project.index().find(relation.subject));
-    const auto earlier = matrix.node_of(project.index().find(relation.object));
-    if (later == earlier) return {relation.subject};
-    if (!matrix.is_later(earlier, later)) return {};
+    const auto prediction = strat::predict(
+        matrix, {project.index().find(relation.subject), relation.kind, project.index().find(relation.object)});
+    if (prediction.consequence == strat::Consequence::None) return {};
     std::vector<model::UnitId> cycle = {relation.subject};
-    for (const std::uint32_t order : matrix.shortest_path(earlier, later)) {
-        cycle.push_back(record.units[matrix.members(matrix.orders()[order].later).front()].id);
+    for (const std::uint32_t order : prediction.path) {
+        const model::UnitId unit = record.units[matrix.members(matrix.orders()[order].later).front()].id;
+        if (unit != cycle.back()) cycle.push_back(unit);
     }
     return cycle;
 }

@@ -32,7 +32,8 @@ struct RelationEntry {
 /// what closes a cycle: the record is not bent; ask would_close_cycle first and warn.
 std::string add_relation(Project& project, const RelationEntry& entry, std::string_view as_written);
 
-/// The units of a cycle that the relation would close, from its later unit down and back; empty when none.
+/// The units of a cycle that the relation would close, from its subject over the path that leads back to it;
+/// empty when it closes none. Same_as and contemporary between units that a path orders count, too.
 [[nodiscard]] std::vector<model::UnitId> would_close_cycle(Project& project, const SaidRelation& relation);
 
 } // namespace planum::app

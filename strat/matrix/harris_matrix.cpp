@@ -137,18 +137,22 @@ void count_stated(MatrixStats& stats, std::size_t unit_count, const Links& links
     stats.same_as = static_cast<std::int64_t>(distinct_pairs(links.same_as).size());
     stats.contemporary = static_cast<std::int64_t>(distinct_pairs(links.contemporary).size());
     stats.mutual = count_mutual(pairs);
-    std::vector<bool> ordered(unit_count, false);
     std::vector<bool> above_itself(unit_count, false);
     for (const Link& link : links.orders) {
-        if (link.later == link.earlier) {
-            above_itself[link.later] = true;
-        } else {
-            ordered[link.later] = true;
-            ordered[link.earlier] = true;
-        }
+        if (link.later == link.earlier) above_itself[link.later] = true;
     }
     stats.self = std::count(above_itself.begin(), above_itself.end(), true);
-    stats.isolated = std::count(ordered.begin(), ordered.end(), false);
+}
+
+// Units in no order, neither themselves nor through a unit they are the same as. A unit stated above itself has
+// been tied to the sequence, if wrongly, so it does not stand alone.
+std::int64_t count_isolated(const Nodes& nodes, const Links& links) {
+    std::vector<bool> ordered(nodes.members.rows(), false);
+    for (const Link& link : links.orders) {
+        ordered[nodes.of_unit[link.later]] = true;
+        ordered[nodes.of_unit[link.earlier]] = true;
+    }
+    return std::count_if(nodes.of_unit.begin(), nodes.of_unit.end(), [&](NodeIndex node) { return !ordered[node]; });
 }
 
 } // namespace
@@ -229,6 +233,7 @@ HarrisMatrix HarrisMatrix::build(const model::Record& record, const MatrixOption
     data->nodes = make_nodes(record.units.size(), options.merge_same_as ? links.same_as : std::vector<Link>{});
     const std::size_t node_count = data->nodes.members.rows();
     stats.merged = static_cast<std::int64_t>(record.units.size() - node_count);
+    stats.isolated = count_isolated(data->nodes, links);
     data->make_orders(links);
     data->make_contemporaries(links);
 

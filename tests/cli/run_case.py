@@ -12,6 +12,10 @@ def matches(expected, actual):
     return re.fullmatch(".*".join(re.escape(p) for p in expected.split("{ANY}")), actual) is not None
 
 
+def matches_all(expected, actual):
+    return len(expected) == len(actual) and all(map(matches, expected, actual))
+
+
 def main():
     case, work = sys.argv[1], sys.argv[2]
     steps, comments = [], []
@@ -24,6 +28,7 @@ def main():
             elif steps:
                 steps[-1][1].append(line)
     good = True
+    rewritten = list(comments)
     for command, expected in steps:
         run = subprocess.run(["/bin/bash", "-c", command], cwd=work, stdin=subprocess.DEVNULL,
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, timeout=300)
@@ -34,11 +39,16 @@ def main():
             expected = expected[:-1]
         while actual and actual[-1] == "":
             actual = actual[:-1]
-        if len(expected) != len(actual) or not all(map(matches, expected, actual)):
+        rewritten += ["$ " + command] + (expected if matches_all(expected, actual) else actual)
+        if not matches_all(expected, actual):
             good = False
             print("FAILED %s\n$ %s" % (os.path.basename(case), command))
             print("  expected:\n    " + "\n    ".join(expected))
             print("  printed:\n    " + "\n    ".join(actual))
+    if os.environ.get("UPDATE") == "1":
+        with open(case, "w", encoding="utf-8") as out:
+            out.write("\n".join(rewritten) + "\n")
+        return 0
     return 0 if good and steps else 1
 
 

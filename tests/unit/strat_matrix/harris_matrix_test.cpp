@@ -93,6 +93,11 @@ TEST_CASE("Relations left out by an interpretation make no orders") {
     CHECK(HarrisMatrix::build(record, options).orders().size() == 1);
 }
 
+TEST_CASE("A unit that is the same as an ordered one is not isolated") {
+    const auto record = a_record().covers("1", "2").same_as("2", "3").unit("4").record();
+    CHECK(HarrisMatrix::build(record).stats().isolated == 1);
+}
+
 TEST_CASE("An empty record has an empty matrix") {
     const auto matrix = HarrisMatrix::build(model::Record{});
     CHECK(matrix.node_count() == 0);

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "app/checks/daily_check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "strat/checks/check.hpp"
+#include "strat/checks/decisions.hpp"
+
+namespace planum::app {
+
+namespace {
+
+strat::CheckResult run_checks(const model::Record& record, Progress& progress) {
+    progress.step("building the matrix");
+    const auto matrix = strat::HarrisMatrix::build(record);
+    progress.step("checking");
+    return strat::check(record, matrix, strat::CheckOptions{}, {}, progress);
+}
+
+const model::Decision* last_sign_off(const model::Record& record) {
+    const model::Decision* last = nullptr;
+    for (const model::Decision& decision : record.decisions) {
+        if (decision.kind == "sign-off" && (last == nullptr || decision.made_at >= last->made_at)) last = &decision;
+    }
+    return last;
+}
+
+DailyCheck check_record(const model::Record& record, Progress& progress) {
+    strat::CheckResult result = run_checks(record, progress);
+    DailyCheck check;
+    check.coverage = std::move(result.coverage);
+    if (const model::Decision* signed_off = last_sign_off(record)) {
+        check.signed_off_at = signed_off->made_at;
+        check.signed_off_by = signed_off->author;
+    }
+    for (strat::ReviewedDiagnostic& reviewed : strat::review(std::move(result.diagnostics), record.decisions)) {
+        if (reviewed.accepted) {
+            check.accepted.push_back(std::move(reviewed.diagnostic));
+            continue;
+        }
+        // Before the first sign-off everything is new, so the word would say nothing.
+        if (reviewed.is_new && !check.signed_off_at.empty()) check.new_ids.insert(reviewed.diagnostic.id);
+        check.problems.push_back(std::move(reviewed.diagnostic));
+    }
+    std::stable_partition(check.problems.begin(), check.problems.end(),
+                          [&](const model::Diagnostic& d) { return check.new_ids.contains(d.id); });
+    return check;
+}
+
+} // namespace
+
+std::size_t DailyCheck::count(model::Severity severity) const noexcept {
+    return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(), [&](const model::Diagnostic& d) {
+        return d.severity == severity;
+    }));
+}
+
+DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress) {
+    if (interpretation.empty()) return check_record(project.record(), progress);
+    return check_record(interpreted(project.record(), interpretation), progress);
+}
+
+void accept_problem(Project& project, std::string_view id, std::string_view because, Progress& progress) {
+    if (text::trim(because).empty()) {
+        throw Error(ErrorCode::Usage, "a problem is accepted with a reason: --accept ID --because TEXT");
+    }
+    const DailyCheck check = check_project(project, {}, progress);
+    const auto it = std::find_if(check.problems.begin(), check.problems.end(),
+                                 [&](const model::Diagnostic& d) { return d.id == id; });
+    if (it == check.problems.end()) {
+        throw Error(ErrorCode::NotFound, fmt::format("no undecided problem has the id {}; planum check lists them", id));
+    }
+    model::Decision decision = strat::accept(*it, std::string(text::trim(because)));
+    decision.author = project.author();
+    decision.made_at = project.clock().now();
+    project.change(fmt::format("Accept problem {}", id), [&] { project.file().insert(decision); });
+}
+
+void sign_off(Project& project, Progress& progress) {
+    const DailyCheck check = check_project(project, {}, progress);
+    std::vector<model::Decision> decisions = strat::sign_off(check.problems, project.clock().now());
+    project.change("Sign the day off", [&] {
+        for (model::Decision& decision : decisions) {
+            decision.author = project.author();
+            project.file().insert(decision);
+        }
+    });
+}
+
+} // namespace planum::app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/project/project.hpp"
+#include "core/base/progress.hpp"
+#include "core/model/diagnostic.hpp"
+#include "strat/matrix/harris_matrix.hpp"
+
+namespace planum::app {
+
+/// The evening's check: what is wrong and undecided, what was decided, how much could be judged.
+struct DailyCheck {
+    std::vector<model::Diagnostic> problems; ///< undecided; new since the last sign-off first
+    std::set<std::string> new_ids;           ///< of them, those that were not there then
+    std::vector<model::Diagnostic> accepted; ///< silent by a decision that still holds
+    model::Coverage coverage;
+    std::string signed_off_at; ///< empty: never
+    std::string signed_off_by;
+
+    [[nodiscard]] std::size_t count(model::Severity severity) const noexcept;
+};
+
+/// Checks the field record, or an interpretation of it by name. Never writes.
+[[nodiscard]] DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress);
+
+/// Keeps a problem silent until its units or evidence change. Throws NotFound when no undecided problem has
+/// the id, Usage without a reason.
+void accept_problem(Project& project, std::string_view id, std::string_view because, Progress& progress);
+
+/// Signs the day off by name: what is undecided now is no longer new tomorrow.
+void sign_off(Project& project, Progress& progress);
+
+/// The record as an interpretation reads it: relations of its parents, plus added, less dropped. An empty name
+/// is the field record. Throws NotFound.
+[[nodiscard]] model::Record interpreted(const model::Record& record, const std::string& interpretation);
+
+} // namespace planum::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/project/project.hpp"
+#include "core/base/progress.hpp"
+#include "strat/layout/layout_engine.hpp"
+
+namespace planum::app {
+
+/// What of a project's matrix is drawn. Empty strings: no such choice.
+struct DrawRequest {
+    std::string engine;         ///< `planum` or `graphviz`; empty: the default
+    std::string interpretation;
+    std::string area;
+    std::string around;         ///< a unit
+    int around_steps = 2;
+    std::string fold;           ///< `phases`, `periods` or `groups`
+    std::string since;          ///< ISO day: what was added or changed since is marked, the rest left out
+    bool problems_only = false; ///< units with errors or warnings about their relations
+    bool titles = false;        ///< short definitions below the numbers
+    std::filesystem::path layout_worker; ///< program that runs Graphviz in a child; empty: our own
+};
+
+/// Draws it. Throws NotFound for an area, unit or interpretation that is not there, Usage for unknown words,
+/// and what the engine throws.
+[[nodiscard]] strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request,
+                                               const strat::TextMeasure& text, Progress& progress);
+
+/// Counts of the matrix (docs/matrix.md).
+[[nodiscard]] strat::MatrixStats matrix_stats(Project& project, const std::string& interpretation);
+
+} // namespace planum::app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "app/export/export_record.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/checks/daily_check.hpp"
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "core/base/text.hpp"
+#include "strat/exchange/writer.hpp"
+
+namespace planum::app {
+
+namespace {
+
+const strat::Writer& writer_of(const std::filesystem::path& file, const std::string& format) {
+    if (!format.empty()) return strat::writer_for(format);
+    const std::string ending = text::fold_case(file.extension().string());
+    if (ending == ".csv") return strat::writer_for("planum-csv");
+    for (const strat::Writer& writer : strat::all_writers()) {
+        if (!writer.extension.empty() && "." + std::string(writer.extension) == ending) return writer;
+    }
+    std::vector<std::string> known = {".csv"};
+    for (const strat::Writer& writer : strat::all_writers()) {
+        if (!writer.extension.empty()) known.push_back("." + std::string(writer.extension));
+    }
+    throw Error(ErrorCode::Usage, fmt::format("{}: no format ends in {}; known are {}", file.string(),
+                                              ending.empty() ? "nothing" : ending, text::join(known, ", ")));
+}
+
+} // namespace
+
+Exported export_record(Project& project, const std::filesystem::path& file, const ExportOptions& options) {
+    const strat::Writer& writer = writer_of(file, options.format);
+    strat::Written written = writer.write(interpreted(project.record(), options.interpretation), {});
+    Exported done;
+    done.lost = std::move(written.lost);
+    for (const strat::WrittenFile& part : written.files) {
+        std::filesystem::path target = file;
+        if (!part.name.empty()) target = file.parent_path() / (file.stem().string() + "-" + part.name);
+        write_file_atomically(target, part.bytes);
+        done.files.push_back(std::move(target));
+    }
+    return done;
+}
+
+} // namespace planum::app

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "app/reports/html_report.hpp"
+
+#include <map>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/base/text.hpp"
+#include "strat/layout/svg_writer.hpp"
+
+namespace planum::app {
+
+namespace {
+
+using strat::xml_escaped;
+
+constexpr std::string_view kStyle = R"(
+body { font: 15px/1.45 "DejaVu Sans", "Segoe UI", sans-serif; color: #222; margin: 2em auto; max-width: 62em; padding: 0 1em; }
+h1 { font-size: 1.7em; margin-bottom: 0; } h2 { margin-top: 2em; border-bottom: 1px solid #bbb; }
+h3 { margin: 1.4em 0 .3em; } p.sub { color: #555; margin-top: .2em; }
+table { border-collapse: collapse; } td, th { text-align: left; vertical-align: top; padding: .15em .9em .15em 0; }
+th { font-weight: 600; color: #444; } .error { border-left: 5px solid #b3261e; } .warning { border-left: 5px solid #c77700; }
+.info { border-left: 5px solid #5b7fa6; } .problem { padding: .3em .8em; margin: .7em 0; background: #faf9f7; }
+.problem ol { margin: .3em 0; } .code { font-family: monospace; color: #666; font-size: .85em; }
+.matrix { overflow: auto; border: 1px solid #ccc; max-height: 90vh; } .matrix svg { max-width: none; }
+a { color: #1c4f82; text-decoration: none; } a:hover { text-decoration: underline; }
+section.unit { break-inside: avoid; } @media print { .matrix { max-height: none; border: 0; } }
+)";
+
+class Page {
+  public:
+    explicit Page(const ReportInput& input) : input_(input), record_(*input.record), index_(record_) {
+        for (const model::PhysicalRelation& relation : record_.relations) {
+            of_unit_[relation.subject].push_back(&relation);
+            if (relation.object != relation.subject) of_unit_[relation.object].push_back(&relation);
+        }
+        for (const model::Level& level : record_.levels) levels_[level.unit].push_back(&level);
+        for (const model::Find& find : record_.finds) finds_[find.unit].push_back(&find);
+    }
+
+    std::string write() {
+        head();
+        problems();
+        coverage();
+        if (!input_.drawing_svg.empty()) {
+            out_ += "<h2 id=\"matrix\">Harris matrix</h2>\n<div class=\"matrix\">\n";
+            out_ += svg_without_declaration();
+            out_ += "</div>\n";
+        }
+        units();
+        out_ += "</body>\n</html>\n";
+        return std::move(out_);
+    }
+
+  private:
+    void head() {
+        const model::ProjectSettings& settings = record_.settings;
+        out_ += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" +
+                xml_escaped(settings.name) + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n";
+        out_ += fmt::format("<h1>{}</h1>\n<p class=\"sub\">{} units, {} relations. {} by {}, planum {}{}</p>\n",
+                            xml_escaped(settings.name), record_.units.size(), record_.relations.size(),
+                            xml_escaped(input_.made_at.substr(0, 10)), xml_escaped(input_.made_by), PLANUM_VERSION,
+                            input_.interpretation.empty() ? "" : "; interpretation " + xml_escaped(input_.interpretation));
+        out_ += "<p><a href=\"#problems\">Problems</a> · <a href=\"#matrix\">Matrix</a> · <a href=\"#units\">Units</a></p>\n";
+    }
+
+    [[nodiscard]] std::string link(model::UnitId unit) const {
+        return fmt::format("<a href=\"#u-{}\">{}</a>", unit.to_string(), xml_escaped(index_.name(unit)));
+    }
+
+    [[nodiscard]] std::string sentence(const model::NamedRelation& named) const {
+        return fmt::format("{} {} {}", link(named.unit), xml_escaped(phrase(named.kind)), link(named.other));
+    }
+
+    [[nodiscard]] std::string suspect(const model::Suspect& suspect) const {
+        struct Words {
+            const Page& page;
+            std::string operator()(const model::SuspectRelation& s) const { return page.sentence(s.relation); }
+            std::string operator()(const model::SuspectSameAs& s) const { return page.sentence(s.same_as); }
+            std::string operator()(const model::SuspectNumber& s) const {
+                return fmt::format("the number {} in “{}”, probably {}", xml_escaped(s.written),
+                                   page.sentence(s.relation), xml_escaped(s.probably));
+            }
+            std::string operator()(const model::SuspectUnit& s) const { return "unit " + page.link(s.unit); }
+        };
+        return std::visit(Words{*this}, suspect.what);
+    }
+
+    void problems() {
+        out_ += fmt::format("<h2 id=\"problems\">Problems ({})</h2>\n", input_.diagnostics.size());
+        for (const model::Diagnostic& d : input_.diagnostics) {
+            out_ += fmt::format("<div class=\"problem {0}\"><span class=\"code\">{0} · {1} · {2}</span><br/>{3}",
+                                to_word(d.severity), xml_escaped(d.code), xml_escaped(d.id), xml_escaped(d.message));
+            if (!d.suspects.empty()) out_ += "\n<ol>\n";
+            for (const model::Suspect& s : d.suspects) {
+                std::vector<std::string> reasons;
+                for (const std::string& reason : s.reasons) reasons.push_back(xml_escaped(reason));
+                out_ += fmt::format("<li>{}{}{}</li>\n", suspect(s), reasons.empty() ? "" : ": ", text::join(reasons, "; "));
+            }
+            if (!d.suspects.empty()) out_ += "</ol>\n";
+            out_ += "</div>\n";
+        }
+        if (!input_.accepted.empty()) out_ += fmt::format("<h3>Accepted ({})</h3>\n", input_.accepted.size());
+        for (const model::Diagnostic& d : input_.accepted) {
+            std::string because;
+            for (const model::Decision& decision : record_.decisions) {
+                if (decision.subject_id == d.id && decision.kind != "sign-off") because = decision.because;
+            }
+            out_ += fmt::format("<p>{} <em>Accepted: {}</em></p>\n", xml_escaped(d.message), xml_escaped(because));
+        }
+    }
+
+    void coverage() {
+        const model::Coverage& c = input_.coverage;
+        out_ += fmt::format("<h2>What could be judged</h2>\n<table>\n<tr><th>relations that state an order</th><td>{}</td></tr>\n"
+                            "<tr><th>confirmed by measured heights</th><td>{}</td></tr>\n"
+                            "<tr><th>contradicted</th><td>{}</td></tr>\n",
+                            c.relations, c.confirmed, c.contradicted);
+        for (const auto& [reason, count] : c.untestable) {
+            out_ += fmt::format("<tr><th>not testable: {}</th><td>{}</td></tr>\n", xml_escaped(reason), count);
+        }
+        out_ += "</table>\n";
+    }
+
+    // Inside a page the XML declaration is out of place.
+    [[nodiscard]] std::string svg_without_declaration() const {
+        const std::size_t at = input_.drawing_svg.find("<svg");
+        return at == std::string::npos ? std::string{} : input_.drawing_svg.substr(at);
+    }
+
+    void row(std::string_view name, std::string_view value) {
+        if (value.empty()) return;
+        out_ += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", xml_escaped(name), xml_escaped(value));
+    }
+
+    void relation_rows(const model::StratigraphicUnit& unit) {
+        const auto it = of_unit_.find(unit.id);
+        if (it == of_unit_.end()) return;
+        std::map<std::string_view, std::vector<std::string>> by_phrase;
+        for (const model::PhysicalRelation* relation : it->second) {
+            const bool from_subject = relation->subject == unit.id;
+            by_phrase[from_subject ? phrase(relation->kind) : inverse_phrase(relation->kind)].push_back(
+                link(from_subject ? relation->object : relation->subject) +
+                (relation->certainty == model::Certainty::Uncertain ? "?" : ""));
+        }
+        for (const auto& [words, others] : by_phrase) {
+            out_ += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", xml_escaped(words), text::join(others, ", "));
+        }
+    }
+
+    void units() {
+        std::unordered_map<model::PhaseId, std::string> phases;
+        for (const model::Phase& phase : record_.phases) {
+            phases.emplace(phase.id, phase.title.empty() ? phase.number : phase.number + " " + phase.title);
+        }
+        out_ += "<h2 id=\"units\">Units</h2>\n";
+        for (const model::StratigraphicUnit& unit : record_.units) {
+            const bool mentioned = unit.origin == model::UnitOrigin::Mentioned;
+            out_ += fmt::format("<section class=\"unit\"><h3 id=\"u-{}\">{} {}</h3>\n<table>\n", unit.id.to_string(),
+                                xml_escaped(index_.name(unit.id)), xml_escaped(unit.title));
+            row("kind", fmt::format("{} {}", to_word(unit.kind), to_word(unit.form)));
+            row("status", mentioned ? "only mentioned, no sheet" : to_word(unit.status));
+            const auto phase = phases.find(unit.phase);
+            if (phase != phases.end()) row("phase", phase->second);
+            row("description", unit.description);
+            row("interpretation", unit.interpretation);
+            row("excavated", unit.excavated_on);
+            row("recorded by", unit.recorded_by);
+            for (const auto& [name, value] : unit.details) row(name, value);
+            relation_rows(unit);
+            for (const model::Level* level : levels_[unit.id]) {
+                row(fmt::format("level, {}", to_word(level->role)), fmt::format("{} m", level->z));
+            }
+            for (const model::Find* find : finds_[unit.id]) {
+                row("find " + find->number, fmt::format("{} {}", find->type, find->description));
+            }
+            out_ += "</table></section>\n";
+        }
+    }
+
+    const ReportInput& input_;
+    const model::Record& record_;
+    model::RecordIndex index_;
+    std::unordered_map<model::UnitId, std::vector<const model::PhysicalRelation*>> of_unit_;
+    std::unordered_map<model::UnitId, std::vector<const model::Level*>> levels_;
+    std::unordered_map<model::UnitId, std::vector<const model::Find*>> finds_;
+    std::string out_;
+};
+
+} // namespace
+
+std::string write_html_report(const ReportInput& input) {
+    return Page(input).write();
+}
+
+} // namespace planum::app

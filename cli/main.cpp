@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "cli/context.hpp"
+#include "strat/layout/layout_worker.hpp"
+
+int main(int argc, char** argv) {
+    if (const auto status = planum::strat::run_layout_worker_if_asked(argc, argv)) return *status;
+    std::ios::sync_with_stdio(false);
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const int status = planum::cli::run_command_line(arguments, std::cout, std::cerr);
+    std::cout.flush();
+    return status;
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "cli/context.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/drawing/draw_matrix.hpp"
+#include "app/export/export_record.hpp"
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "core/base/text.hpp"
+#include "paint/drawing_pdf.hpp"
+#include "paint/drawing_png.hpp"
+#include "paint/font_measure.hpp"
+#include "strat/layout/svg_writer.hpp"
+
+namespace planum::cli {
+
+using nlohmann::ordered_json;
+using store::OpenMode;
+
+namespace {
+
+struct Options {
+    app::DrawRequest draw;
+    std::string output;
+    std::string paper = "fit";
+    std::string paging = "page";
+    std::string format;
+    double dpi = 150.0;
+    bool stats = false;
+};
+
+ordered_json to_json(const strat::MatrixStats& s) {
+    return {{"units", s.units},
+            {"orders", s.orders},
+            {"same_as", s.same_as},
+            {"contemporary", s.contemporary},
+            {"merged", s.merged},
+            {"self", s.self},
+            {"mutual", s.mutual},
+            {"cycle_groups", s.cycle_groups},
+            {"largest_cycle_group", s.largest_cycle_group},
+            {"orders_in_cycles", s.orders_in_cycles},
+            {"redundant", s.redundant},
+            {"reduced_from", s.reduced_from},
+            {"depth", s.depth},
+            {"isolated", s.isolated}};
+}
+
+void run_stats(const Context& context, const Options& options) {
+    app::Project project = context.open(OpenMode::ReadOnly);
+    const ordered_json stats = to_json(app::matrix_stats(project, options.draw.interpretation));
+    if (context.json) return context.print(stats);
+    for (const auto& [key, value] : stats.items()) *context.out << fmt::format("{:<20} {}\n", key, value.dump());
+}
+
+paint::PdfOptions pdf_options(const app::Project& project, const Options& options, const std::string& site) {
+    paint::PdfOptions pdf;
+    pdf.site = site;
+    pdf.date = project.clock().now().substr(0, 10);
+    const std::vector<std::pair<std::string, paint::Paper>> papers = {
+        {"fit", paint::Paper::Fitted}, {"a4", paint::Paper::A4}, {"a3", paint::Paper::A3},
+        {"a2", paint::Paper::A2},      {"a1", paint::Paper::A1}, {"a0", paint::Paper::A0}};
+    for (const auto& [word, paper] : papers) {
+        if (word == text::fold_case(options.paper)) pdf.poster.paper = paper;
+    }
+    if (options.paging == "poster") pdf.poster.paging = paint::Paging::Poster;
+    return pdf;
+}
+
+void run_draw(const Context& context, const Options& options) {
+    app::Project project = context.open(OpenMode::ReadOnly);
+    const std::string ending = text::fold_case(std::filesystem::path(options.output).extension().string());
+    if (ending != ".svg" && ending != ".pdf" && ending != ".png") {
+        return write_export(context, project, options.output, {options.format, options.draw.interpretation});
+    }
+    const paint::FontTextMeasure measure;
+    const strat::MatrixDrawing drawing = app::draw_matrix(project, options.draw, measure, *context.progress);
+    std::string bytes;
+    if (ending == ".svg") bytes = strat::write_svg(drawing);
+    if (ending == ".png") bytes = paint::render_png(drawing, {.dpi = options.dpi});
+    if (ending == ".pdf") {
+        bytes = paint::render_pdf(drawing, pdf_options(project, options, project.record().settings.name), *context.progress);
+    }
+    write_file_atomically(options.output, bytes);
+    context.say(fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));
+}
+
+} // namespace
+
+void add_matrix_commands(CLI::App& root, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* matrix = add_command(root, context, "matrix", "draw the Harris matrix, write it as a file, or count it");
+    CLI::Option* output = matrix->add_option("-o,--output", options->output,
+                                             "file to write: .svg .pdf .png are drawings; .dot .graphml .lst .hmcx .csv "
+                                             ".json are for other programs");
+    matrix->add_option("--format", options->format, "format of the file, where its ending does not say (hmc-csv, hm, …)");
+    matrix->add_flag("--stats", options->stats, "print counts instead")->excludes(output);
+    matrix->add_option("--engine", options->draw.engine, "layout engine");
+    matrix->add_option("--interpretation", options->draw.interpretation, "this reading instead of the field record");
+    matrix->add_option("--area", options->draw.area, "only this area");
+    matrix->add_option("--around", options->draw.around, "only the neighbourhood of this unit");
+    matrix->add_option("--steps", options->draw.around_steps, "how far around it")->capture_default_str();
+    matrix->add_option("--fold", options->draw.fold, "phases, periods or groups: one box each");
+    matrix->add_option("--since", options->draw.since, "only what was added or changed since this day (YYYY-MM-DD)");
+    matrix->add_flag("--problems", options->draw.problems_only, "only what problems are about");
+    matrix->add_flag("--titles", options->draw.titles, "short definitions below the numbers");
+    matrix->add_option("--paper", options->paper, "PDF: fit, A4, A3, A2, A1 or A0")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"fit", "a4", "a3", "a2", "a1", "a0"}, CLI::ignore_case));
+    matrix->add_option("--paging", options->paging, "PDF: shrink to one page, or a poster of many sheets")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"page", "poster"}));
+    matrix->add_option("--dpi", options->dpi, "PNG: pixels per inch")->capture_default_str()->check(CLI::Range(20.0, 1200.0));
+    matrix->callback([&context, options] {
+        if (options->stats) return run_stats(context, *options);
+        if (options->output.empty()) throw Error(ErrorCode::Usage, "matrix: say -o FILE or --stats");
+        run_draw(context, *options);
+    });
+}
+
+} // namespace planum::cli

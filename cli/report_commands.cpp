@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "cli/context.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/export/export_record.hpp"
+#include "app/reports/report.hpp"
+#include "paint/font_measure.hpp"
+
+namespace planum::cli {
+
+using store::OpenMode;
+
+namespace {
+
+struct Options {
+    std::string output;
+    std::string format;
+    std::string interpretation;
+};
+
+void run_report(const Context& context, const Options& options) {
+    app::Project project = context.open(OpenMode::ReadOnly);
+    const paint::FontTextMeasure measure;
+    app::write_report(project, options.output, options.interpretation, measure, *context.progress);
+    context.say("wrote " + options.output);
+}
+
+void run_export(const Context& context, const Options& options) {
+    app::Project project = context.open(OpenMode::ReadOnly);
+    write_export(context, project, options.output, {options.format, options.interpretation});
+}
+
+} // namespace
+
+void write_export(const Context& context, app::Project& project, const std::filesystem::path& file,
+                  const app::ExportOptions& options) {
+    const app::Exported done = app::export_record(project, file, options);
+    for (const std::string& sentence : done.lost) context.say("not carried: " + sentence);
+    for (const auto& written : done.files) context.say("wrote " + written.string());
+}
+
+void add_report_commands(CLI::App& root, Context& context) {
+    auto report = std::make_shared<Options>();
+    CLI::App* command = add_command(root, context, "report", "the record, its problems and decisions, for the archive");
+    command->add_option("-o,--output", report->output, "file to write: .xml (schema planum-report-1) or .html")->required();
+    command->add_option("--interpretation", report->interpretation, "this reading instead of the field record");
+    command->callback([&context, report] { run_report(context, *report); });
+
+    auto data = std::make_shared<Options>();
+    CLI::App* export_command = add_command(root, context, "export", "the record for other programs");
+    export_command
+        ->add_option("-o,--output", data->output, "file to write: .csv .json .lst .hmcx .graphml .dot")
+        ->required();
+    export_command->add_option("--format", data->format, "format, where the ending does not say (hmc-csv, hm, …)");
+    export_command->add_option("--interpretation", data->interpretation, "this reading instead of the field record");
+    export_command->callback([&context, data] { run_export(context, *data); });
+}
+
+} // namespace planum::cli

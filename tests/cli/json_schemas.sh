@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Every --json output holds to its schema in schema/json/.
+set -u
+planum=$(readlink -f "$1")
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+schemas=$here/../../schema/json
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failed=0
+passed=0
+holds() {
+  local schema=$1
+  shift
+  if "$planum" "$@" --json >out.json 2>err.txt; [ $? -gt 1 ]; then
+    echo "FAILED planum $*: $(cat err.txt)"
+    failed=$((failed + 1))
+  elif ! python3 "$here/../support/validate_json.py" "$schemas/$schema.schema.json" <out.json; then
+    echo "FAILED planum $* against $schema"
+    failed=$((failed + 1))
+  else
+    passed=$((passed + 1))
+  fi
+}
+"$planum" new -q site.gpkg
+holds import import site.gpkg "$here/data/units.csv" "$here/data/relations.csv"
+holds import import site.gpkg "$here/data/tomorrow.csv" --dry-run
+"$planum" relation add -q site.gpkg 5 covers 1 >/dev/null
+"$planum" relation add -q site.gpkg 2 same_as 4 >/dev/null
+"$planum" phase add -q site.gpkg I --from -200 --to -100 >/dev/null
+"$planum" find add -q site.gpkg F1 --unit 2 --z 9.9 >/dev/null
+holds matrix-stats matrix site.gpkg --stats
+holds check check site.gpkg
+holds info info site.gpkg
+holds history history site.gpkg
+holds history history site.gpkg --unit 4
+holds verify verify site.gpkg
+holds today today site.gpkg
+holds record-show unit show site.gpkg 2
+for kind in unit relation phase period group dating find level sample document area surface; do
+  holds record-list "$kind" list site.gpkg
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

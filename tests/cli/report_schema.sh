@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# The XML report holds to its schema, for an empty project and for one with problems of every kind.
+set -eu
+planum=$(readlink -f "$1")
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+schema=$here/../../schema/xsd/planum-report-1.xsd
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+"$planum" new -q empty.gpkg
+"$planum" report -q empty.gpkg -o empty.xml
+xmllint --noout --schema "$schema" empty.xml
+"$planum" new -q site.gpkg --name 'Hill & <Farm>'
+"$planum" import -q site.gpkg "$here/data/units.csv" "$here/data/relations.csv" >/dev/null
+"$planum" relation add -q site.gpkg 5 covers 1 >/dev/null
+"$planum" period add -q site.gpkg II --from -300 --to 10 >/dev/null
+"$planum" phase add -q site.gpkg I --period II --title "first & last" >/dev/null
+"$planum" unit set -q site.gpkg 2 --phase I --colour "brown <dark>" --description $'two\nlines'
+"$planum" find add -q site.gpkg F1 --unit 2 --z 9.9 --type sherd >/dev/null
+"$planum" dating add -q site.gpkg C14-1 --unit 2 --kind radiocarbon --bp 2100 --bp-error 30 >/dev/null
+"$planum" sample add -q site.gpkg S1 --unit 2 --type soil >/dev/null
+"$planum" document add -q site.gpkg P1 --unit 2 --type photo >/dev/null
+"$planum" group add -q site.gpkg G1 --members "2, 3" >/dev/null
+id=$("$planum" check site.gpkg --json | python3 -c 'import json,sys; print(json.load(sys.stdin)["problems"][0]["id"])')
+"$planum" check -q site.gpkg --accept "$id" --because "seen in the section"
+"$planum" report -q site.gpkg -o site.xml
+xmllint --noout --schema "$schema" site.xml
+grep -q 'state="accepted"' site.xml
+"$planum" report -q site.gpkg -o site.html
+xmllint --noout --html site.html 2>&1 | grep -v 'Tag \(svg\|title\|desc\|g\|path\|rect\|text\|style\|line\|polygon\|polyline\|circle\|a\|defs\|section\|tspan\) invalid\|^ *^\|^ *<' | head -5
+echo "1 passed, 0 failed"
