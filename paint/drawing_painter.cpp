@@ -2,11 +2,17 @@
 #include "paint/drawing_painter.hpp"
 
 #include <QFontMetricsF>
+#include <QLineF>
+#include <QList>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPen>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "strat/layout/drawing_colours.hpp"
 #include "strat/layout/drawing_style.hpp"
@@ -80,16 +86,57 @@ void paint_label(QPainter& painter, const DrawnBox& box) {
     }
 }
 
-void paint_line(QPainter& painter, const DrawnLine& line) {
-    const StrokeStyle style = style_of(line);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(pen_of(style));
-    painter.drawPolyline(polygon(line.points));
+void paint_arrow(QPainter& painter, const DrawnLine& line) {
     const std::vector<DrawPoint> arrow = arrow_head(line);
     if (arrow.empty()) return;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(colour(style.colour));
+    painter.setBrush(colour(style_of(line).colour));
     painter.drawPolygon(polygon(arrow));
+}
+
+void paint_line(QPainter& painter, const DrawnLine& line) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(pen_of(style_of(line)));
+    painter.drawPolyline(polygon(line.points));
+    paint_arrow(painter, line);
+}
+
+// Solid lines of one colour as one ink: strokes that several orders share would else grow dark at their
+// edges, once for each order. Slanting lines (of other engines) are painted as they are.
+void paint_lines(QPainter& painter, const MatrixDrawing& drawing, bool red) {
+    std::map<std::pair<Colour, double>, std::array<std::vector<AxisStroke>, 2>> inks; // uprights, levels
+    for (const DrawnLine& line : drawing.lines) {
+        const StrokeStyle style = style_of(line);
+        if ((line.in_cycle || line.upwards) != red) continue;
+        const bool square = std::adjacent_find(line.points.begin(), line.points.end(), [](const auto& a, const auto& b) {
+                                return a.x != b.x && a.y != b.y;
+                            }) == line.points.end();
+        if (!square || style.dash != Dash::Solid) {
+            paint_line(painter, line);
+            continue;
+        }
+        paint_arrow(painter, line);
+        auto& [uprights, levels] = inks[{style.colour, style.width}];
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            const DrawPoint& a = line.points[i - 1];
+            const DrawPoint& b = line.points[i];
+            if (a.x == b.x) {
+                uprights.push_back({a.x, std::min(a.y, b.y), std::max(a.y, b.y)});
+            } else {
+                levels.push_back({a.y, std::min(a.x, b.x), std::max(a.x, b.x)});
+            }
+        }
+    }
+    for (auto& [look, strokes] : inks) {
+        QPen pen = pen_of({look.first, look.second, Dash::Solid});
+        pen.setCapStyle(Qt::SquareCap); // closes the corners
+        painter.setPen(pen);
+        QList<QLineF> lines;
+        constexpr double kTouch = 0.05;
+        for (const AxisStroke& s : joined_strokes(std::move(strokes[0]), kTouch)) lines << QLineF(s.at, s.low, s.at, s.high);
+        for (const AxisStroke& s : joined_strokes(std::move(strokes[1]), kTouch)) lines << QLineF(s.low, s.at, s.high, s.at);
+        painter.drawLines(lines);
+    }
 }
 
 void paint_ground(QPainter& painter, const MatrixDrawing& drawing) {
@@ -156,11 +203,7 @@ void paint_drawing(QPainter& painter, const MatrixDrawing& drawing) {
     painter.setRenderHint(QPainter::TextAntialiasing);
     paint_ground(painter, drawing);
     // Cycles last, so that no other line hides them.
-    for (const bool red : {false, true}) {
-        for (const DrawnLine& line : drawing.lines) {
-            if ((line.in_cycle || line.upwards) == red) paint_line(painter, line);
-        }
-    }
+    for (const bool red : {false, true}) paint_lines(painter, drawing, red);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour(kLineInk));
     for (const DrawPoint& p : drawing.junctions) painter.drawEllipse(point(p), kJunctionRadius, kJunctionRadius);

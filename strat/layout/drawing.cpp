@@ -86,6 +86,28 @@ BoxOutline outline_of(const DrawnBox& box) {
     return outline;
 }
 
+std::vector<AxisStroke> joined_strokes(std::vector<AxisStroke> strokes, double tolerance) {
+    std::sort(strokes.begin(), strokes.end());
+    std::vector<AxisStroke> out;
+    for (std::size_t first = 0; first < strokes.size();) {
+        std::size_t last = first + 1;
+        while (last < strokes.size() && strokes[last].at - strokes[last - 1].at < tolerance) ++last;
+        const double at = strokes[first].at;
+        std::sort(strokes.begin() + static_cast<std::ptrdiff_t>(first), strokes.begin() + static_cast<std::ptrdiff_t>(last),
+                  [](const AxisStroke& a, const AxisStroke& b) { return a.low < b.low; });
+        const std::size_t line = out.size();
+        for (; first < last; ++first) {
+            const AxisStroke& s = strokes[first];
+            if (out.size() > line && s.low <= out.back().high + tolerance) {
+                out.back().high = std::max(out.back().high, s.high);
+            } else {
+                out.push_back({at, s.low, s.high});
+            }
+        }
+    }
+    return out;
+}
+
 std::string_view to_word(BoxShape shape) noexcept {
     switch (shape) {
     case BoxShape::Deposit: return "deposit";

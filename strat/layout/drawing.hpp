@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -141,6 +142,19 @@ struct BoxOutline {
 };
 
 [[nodiscard]] BoxOutline outline_of(const DrawnBox& box);
+
+/// A stroke along one axis: `at` across it, from `low` to `high` along it [pt].
+struct AxisStroke {
+    double at = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+
+    friend auto operator<=>(const AxisStroke&, const AxisStroke&) = default;
+};
+
+/// Strokes of one axis, sorted, those made one that lie within `tolerance` of each other across and overlap
+/// or touch along.
+[[nodiscard]] std::vector<AxisStroke> joined_strokes(std::vector<AxisStroke> strokes, double tolerance);
 
 /// Words of the enumerators, as SVG classes: `deposit`, `cut`, …; `added`, …; empty for Mark::None.
 [[nodiscard]] std::string_view to_word(BoxShape shape) noexcept;

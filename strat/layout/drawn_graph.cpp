@@ -263,10 +263,25 @@ class GraphMaker {
                                     graph_.contemporaries.end());
     }
 
-    [[nodiscard]] std::size_t count_keyed(const std::vector<std::int32_t>& keys) const {
-        return static_cast<std::size_t>(std::count_if(graph_.boxes.begin(), graph_.boxes.end(), [&](const GraphBox& b) {
-            return keys[b.units.front()] >= 0;
-        }));
+    // Most boxes have one, they are few enough to structure the page, and their order in time is known.
+    template <class Values>
+    [[nodiscard]] bool serve_as_bands(const std::vector<std::int32_t>& keys, const std::vector<Values>& values) const {
+        constexpr std::size_t kMostBands = 16;
+        constexpr std::size_t kBoxesEach = 3;
+        std::size_t with = 0;
+        std::unordered_set<std::int32_t> used;
+        for (const GraphBox& b : graph_.boxes) {
+            const std::int32_t key = keys[b.units.front()];
+            if (key < 0) continue;
+            ++with;
+            used.insert(key);
+        }
+        const bool dated = std::all_of(used.begin(), used.end(), [&](std::int32_t key) {
+            const Values& value = values[static_cast<std::size_t>(key)];
+            return value.rank.has_value() || value.from.has_value() || value.to.has_value();
+        });
+        return with * 5 >= graph_.boxes.size() * 4 && !used.empty() && used.size() <= kMostBands &&
+               used.size() * kBoxesEach <= graph_.boxes.size() + kBoxesEach && dated;
     }
 
     void choose_bands() {
@@ -275,11 +290,9 @@ class GraphMaker {
         const std::vector<std::int32_t> phases = fold_keys(record_, Fold::Phases);
         const std::vector<std::int32_t> periods = fold_keys(record_, Fold::Periods);
         if (bands == Bands::Automatic) {
-            const std::size_t enough = (graph_.boxes.size() * 4 + 4) / 5;
-            if (graph_.boxes.empty()) return;
-            if (count_keyed(phases) >= enough) {
+            if (serve_as_bands(phases, record_.phases)) {
                 bands = Bands::Phases;
-            } else if (count_keyed(periods) >= enough) {
+            } else if (serve_as_bands(periods, record_.periods)) {
                 bands = Bands::Periods;
             } else {
                 return;

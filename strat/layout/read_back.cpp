@@ -16,36 +16,7 @@ namespace {
 // Two strokes nearer than this look like one [pt].
 constexpr double kSame = 0.3;
 
-// A stroke along one axis: `at` across it, from `low` to `high` along it.
-struct Stroke {
-    double at = 0.0;
-    double low = 0.0;
-    double high = 0.0;
-
-    friend auto operator<=>(const Stroke&, const Stroke&) = default;
-};
-
-// Overlapping and touching strokes of one axis become one.
-std::vector<Stroke> joined(std::vector<Stroke> strokes) {
-    std::sort(strokes.begin(), strokes.end());
-    std::vector<Stroke> out;
-    for (std::size_t first = 0; first < strokes.size();) {
-        std::size_t last = first + 1;
-        while (last < strokes.size() && strokes[last].at - strokes[last - 1].at < kSame) ++last;
-        std::vector<Stroke> line(strokes.begin() + static_cast<std::ptrdiff_t>(first),
-                                 strokes.begin() + static_cast<std::ptrdiff_t>(last));
-        std::sort(line.begin(), line.end(), [](const Stroke& a, const Stroke& b) { return a.low < b.low; });
-        for (const Stroke& s : line) {
-            if (!out.empty() && out.back().at == line.front().at && s.low <= out.back().high + kSame) {
-                out.back().high = std::max(out.back().high, s.high);
-            } else {
-                out.push_back({line.front().at, s.low, s.high});
-            }
-        }
-        first = last;
-    }
-    return out;
-}
+using Stroke = AxisStroke;
 
 class Reader {
   public:
@@ -54,8 +25,8 @@ class Reader {
     ReadBack read() {
         if (!collect()) return std::move(out_);
         check_boxes();
-        upright_ = joined(std::move(upright_));
-        level_ = joined(std::move(level_));
+        upright_ = joined_strokes(std::move(upright_), kSame);
+        level_ = joined_strokes(std::move(level_), kSame);
         check_lines_through_boxes();
         connect();
         attach();

@@ -182,4 +182,48 @@ inline model::Record a_random_record(const RandomMatrixOptions& options) {
     return builder.record();
 }
 
+struct DenseOptions {
+    std::size_t units = 1000;
+    std::size_t orders_each = 3; ///< about as many reduced orders a unit
+    std::uint32_t seed = 1;
+    std::size_t depth = 60; ///< levels
+    std::size_t reach = 6;  ///< how far aside an order goes on its level
+};
+
+/// Units on levels, each above some near ones one level down and now and then further: few of the orders are
+/// redundant, so this is as dense as matrices get.
+inline model::Record a_dense_record(const DenseOptions& options) {
+    std::mt19937 random(options.seed);
+    const auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+    SeededUuids ids(options.seed);
+    model::Record record;
+    record.settings.name = "Dense matrix";
+    const std::size_t width = std::max<std::size_t>(1, options.units / options.depth);
+    for (std::size_t u = 0; u < options.units; ++u) {
+        model::StratigraphicUnit unit;
+        unit.id = {ids.next()};
+        unit.number = std::to_string(u + 1);
+        unit.kind = model::UnitKind::Deposit;
+        record.units.push_back(unit);
+    }
+    for (std::size_t u = 0; u < options.units; ++u) {
+        std::vector<std::size_t> below;
+        for (std::size_t k = 0; k < options.orders_each; ++k) {
+            const std::size_t down = pick(8) == 0 ? 2 + pick(3) : 1;
+            const std::size_t aside = pick(2 * options.reach + 1);
+            const std::size_t column = std::min(width - 1, (u % width) + aside - std::min(u % width + aside, options.reach));
+            const std::size_t other = (u / width + down) * width + column;
+            if (other >= options.units || std::find(below.begin(), below.end(), other) != below.end()) continue;
+            below.push_back(other);
+            model::PhysicalRelation relation;
+            relation.id = {ids.next()};
+            relation.subject = record.units[u].id;
+            relation.object = record.units[other].id;
+            record.relations.push_back(relation);
+        }
+    }
+    model::sort_record(record);
+    return record;
+}
+
 } // namespace planum::test

@@ -72,13 +72,23 @@ TEST_CASE("Folded phases become boxes whose orders are reduced again") {
 }
 
 TEST_CASE("Bands run from the latest phase to the earliest, unasked where most units have one") {
-    auto builder = a_matrix().above("1", "2").above("2", "3");
-    builder.phase("1", "c", 3).phase("2", "b", 2).phase("3", "a", 1);
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("4", "5").above("5", "6");
+    builder.phase("1", "b", 2).phase("2", "b", 2).phase("3", "b", 2);
+    builder.phase("4", "a", 1).phase("5", "a", 1).phase("6", "a", 1);
     const DrawnGraph graph = graph_of(builder.record());
-    REQUIRE(graph.bands.size() == 3);
-    CHECK(graph.bands[0].heading == "c");
+    REQUIRE(graph.bands.size() == 2);
+    CHECK(graph.bands[0].heading == "b");
     CHECK(graph.boxes[0].band == 0);
-    CHECK(graph.boxes[2].band == 2);
+    CHECK(graph.boxes[5].band == 1);
+}
+
+TEST_CASE("Phases for every unit or two are no bands unless asked for") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("4", "5");
+    builder.phase("1", "e", 5).phase("2", "d", 4).phase("3", "c", 3).phase("4", "b", 2).phase("5", "a", 1);
+    CHECK(graph_of(builder.record()).bands.empty());
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    CHECK(graph_of(builder.record(), options).bands.size() == 5);
 }
 
 TEST_CASE("An order is uncertain only if nothing certain says it") {

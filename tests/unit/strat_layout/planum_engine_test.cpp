@@ -94,7 +94,9 @@ TEST_CASE("Bands enclose their units and nobody else's") {
     auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("1", "5");
     builder.phase("1", "III", 3).phase("2", "II", 2).phase("3", "II", 2).phase("4", "I", 1).phase("5", "I", 1);
     const model::Record record = builder.record();
-    const MatrixDrawing drawing = drawing_of(record);
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    const MatrixDrawing drawing = drawing_of(record, options);
     CHECK(broken_law(record, drawing).empty());
     REQUIRE(drawing.bands.size() == 3);
     const auto inside = [&](const std::string& unit, std::size_t band) {
@@ -112,7 +114,9 @@ TEST_CASE("An order against the phases is drawn upwards, not left out") {
     auto builder = a_matrix().above("1", "2").above("2", "3");
     builder.phase("1", "old", 1).phase("2", "young", 2).phase("3", "old", 1);
     const model::Record record = builder.record();
-    const MatrixDrawing drawing = drawing_of(record);
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    const MatrixDrawing drawing = drawing_of(record, options);
     CHECK(broken_law(record, drawing).empty());
     CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.upwards; }) == 1);
 }
