@@ -10,6 +10,7 @@
 
 #include "cli/terminal_progress.hpp"
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
 namespace planum::cli {
 
@@ -40,6 +41,17 @@ void fill(CLI::App& root, Context& context) {
     add_demo_commands(root, context);
 }
 
+// CLI11 only says that a command is missing; a mistyped one deserves better.
+void refuse_unknown_command(const CLI::App& root, const std::vector<std::string>& arguments) {
+    if (arguments.empty() || arguments.front().empty() || arguments.front().front() == '-') return;
+    std::vector<std::string> names;
+    for (const CLI::App* command : root.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == arguments.front()) return;
+        names.push_back(command->get_name());
+    }
+    throw Error(ErrorCode::Usage, fmt::format("there is no command {}; there are {}", arguments.front(), text::join(names, ", ")));
+}
+
 int report(const Error& e, std::ostream& err) {
     err << "planum: " << e.what() << '\n';
     return exit_status(e.code());
@@ -54,8 +66,9 @@ int run_command_line(const std::vector<std::string>& arguments, std::ostream& ou
     TerminalProgress progress(err, isatty(STDERR_FILENO) == 1, stop_on_interrupt().get_token());
     context.progress = &progress;
     CLI::App root;
-    fill(root, context);
     try {
+        fill(root, context);
+        refuse_unknown_command(root, arguments);
         std::vector<std::string> reversed(arguments.rbegin(), arguments.rend()); // as CLI11 2.1 wants them
         root.parse(std::move(reversed));
         return context.status;

@@ -144,15 +144,15 @@ void count_stated(MatrixStats& stats, std::size_t unit_count, const Links& links
     stats.self = std::count(above_itself.begin(), above_itself.end(), true);
 }
 
-// Units in no order, neither themselves nor through a unit they are the same as. A unit stated above itself has
-// been tied to the sequence, if wrongly, so it does not stand alone.
+// Merged units in no order; a unit above itself is in none.
 std::int64_t count_isolated(const Nodes& nodes, const Links& links) {
     std::vector<bool> ordered(nodes.members.rows(), false);
     for (const Link& link : links.orders) {
+        if (link.later == link.earlier) continue;
         ordered[nodes.of_unit[link.later]] = true;
         ordered[nodes.of_unit[link.earlier]] = true;
     }
-    return std::count_if(nodes.of_unit.begin(), nodes.of_unit.end(), [&](NodeIndex node) { return !ordered[node]; });
+    return std::count(ordered.begin(), ordered.end(), false);
 }
 
 } // namespace

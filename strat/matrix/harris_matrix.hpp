@@ -43,7 +43,7 @@ struct MatrixStats {
     std::int64_t redundant = 0;           ///< implied by longer paths …
     std::int64_t reduced_from = 0;        ///< … of the pairs of the condensed graph
     std::int64_t depth = 0;               ///< nodes on the longest chain of the condensed graph
-    std::int64_t isolated = 0;            ///< units in no order, nor the same as one that is
+    std::int64_t isolated = 0;            ///< nodes in no order
 
     friend bool operator==(const MatrixStats&, const MatrixStats&) = default;
 };

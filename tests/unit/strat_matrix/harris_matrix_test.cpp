@@ -94,8 +94,9 @@ TEST_CASE("Relations left out by an interpretation make no orders") {
 }
 
 TEST_CASE("A unit that is the same as an ordered one is not isolated") {
-    const auto record = a_record().covers("1", "2").same_as("2", "3").unit("4").record();
-    CHECK(HarrisMatrix::build(record).stats().isolated == 1);
+    const auto record =
+        a_record().covers("1", "2").same_as("2", "3").unit("4").same_as("5", "6").covers("7", "7").record();
+    CHECK(HarrisMatrix::build(record).stats().isolated == 3); // 4, 5 = 6, and 7 which is only above itself
 }
 
 TEST_CASE("An empty record has an empty matrix") {
