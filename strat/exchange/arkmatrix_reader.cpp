@@ -22,9 +22,9 @@ namespace {
 using model::DirectedKind;
 using model::RelationKind;
 
-constexpr std::array<std::string_view, 14> kTags = {
-    "site",  "dataset", "status", "class",        "type",     "label", "description",
-    "above", "below",   "same",   "contemporary", "subgroup", "group", "landuse"};
+constexpr std::array<std::string_view, 14> kTags = {"site",         "dataset",     "status", "class",  "type",
+                                                    "label",        "description", "above",  "below",  "same",
+                                                    "contemporary", "subgroup",    "group",  "landuse"};
 constexpr std::array<std::string_view, 3> kLevels = {"subgroup", "group", "landuse"};
 
 struct TaggedRow {
@@ -37,7 +37,8 @@ struct TaggedRow {
 // The last field is the tag; commas between belong to the value, as real files do not quote them.
 std::optional<TaggedRow> tagged(const TableRow& row) {
     if (row.cells.size() < 3) return std::nullopt;
-    TaggedRow result{std::string{cell(row, 0)}, {}, text::fold_case(cell(row, row.cells.size() - 1)), row.line};
+    TaggedRow result{
+        std::string{cell(row, 0)}, {}, text::fold_case(cell(row, row.cells.size() - 1)), row.line};
     for (std::size_t i = 1; i + 1 < row.cells.size(); ++i) {
         if (i > 1) result.value += ", ";
         result.value += cell(row, i);
@@ -113,7 +114,8 @@ class TaggedReader {
         for (const TaggedRow& row : rows) {
             if (const auto level = level_of(row.tag)) groups_[row.value].insert(*level);
         }
-        for (const TaggedRow& row : rows) read_row(row);
+        for (const TaggedRow& row : rows)
+            read_row(row);
     }
 
   private:
@@ -145,7 +147,8 @@ class TaggedReader {
         if (const auto level = level_of(row.tag)) return read_group(row, *level, place);
         const UnitName name = builder_.name(row.unit);
         if (row.tag == "above" || row.tag == "below") {
-            builder_.relate(name, {RelationKind::Covers, row.tag == "below"}, builder_.name(row.value), place);
+            builder_.relate(name, {RelationKind::Covers, row.tag == "below"}, builder_.name(row.value),
+                            place);
         } else if (row.tag == "same") {
             builder_.relate(name, {RelationKind::SameAs, false}, builder_.name(row.value), place);
         } else if (row.tag == "contemporary") {
@@ -162,7 +165,8 @@ class TaggedReader {
         }
         ImportedUnit& unit = builder_.unit(name, place);
         if (row.tag == "label") builder_.fill(unit.values.title, row.value, "the label", place);
-        if (row.tag == "description") builder_.fill(unit.values.description, row.value, "the description", place);
+        if (row.tag == "description")
+            builder_.fill(unit.values.description, row.value, "the description", place);
         if (row.tag == "status") read_status(row.value, unit, place);
         if ((row.tag == "class" || row.tag == "type") && text::fold_case(row.value) != "undefined") {
             const auto kind = model::kind_from_any_word(row.value);
@@ -198,7 +202,8 @@ class TaggedReader {
                 if (!below->second.contains(inner)) continue;
                 const std::string inner_number = group_number(row.unit, inner);
                 builder_.group(inner_number).values.type = kLevels.at(inner);
-                builder_.fill(builder_.group(inner_number).parent, number, "the group around " + row.unit, place);
+                builder_.fill(builder_.group(inner_number).parent, number, "the group around " + row.unit,
+                              place);
                 return;
             }
         }
@@ -225,7 +230,8 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
+                              Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -234,11 +240,13 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
         builder.add_notes(std::move(table.notes));
         if (is_tagged(table)) {
             TaggedReader(builder, file->name).read(table);
-        } else if (std::any_of(table.rows.begin(), table.rows.end(), [](const auto& r) { return r.cells.size() > 1; })) {
+        } else if (std::any_of(table.rows.begin(), table.rows.end(),
+                               [](const auto& r) { return r.cells.size() > 1; })) {
             read_simple(table, file->name, builder);
         } else {
             throw Error(ErrorCode::BadInput,
-                        fmt::format("{}: neither two columns (above, below) nor three (unit, value, tag)", file->name));
+                        fmt::format("{}: neither two columns (above, below) nor three (unit, value, tag)",
+                                    file->name));
         }
     }
     return builder.finish();

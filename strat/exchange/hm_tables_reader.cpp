@@ -12,6 +12,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "strat/exchange/hm_tables_roles.hpp"
 #include "strat/exchange/readers.hpp"
 #include "strat/exchange/record_builder.hpp"
 
@@ -21,134 +22,12 @@ namespace {
 
 using model::RelationKind;
 
-enum class Role { Contexts, Observations, Inferences, Periods, Phases, Events, EventOrder };
-
-struct RoleInfo {
-    Role role;
-    std::array<std::string_view, 3> words; ///< in the ini and in file names
-    std::vector<std::string_view> columns; ///< in their order where a file has no header
-};
-
-const std::array<RoleInfo, 7>& roles() {
-    static const std::array<RoleInfo, 7> table = {
-        RoleInfo{Role::Contexts, {"contexts", "context", ""}, {"label", "unit_type", "position", "period", "phase", "url"}},
-        RoleInfo{Role::Observations, {"observations", "observation", ""}, {"younger", "older", "url"}},
-        RoleInfo{Role::Inferences, {"inferences", "inference", ""}, {"first", "second"}},
-        RoleInfo{Role::Periods, {"periods", "period", ""}, {"id", "label", "attribute", "url"}},
-        RoleInfo{Role::Phases, {"phases", "phase", ""}, {"id", "label", "attribute", "url"}},
-        // Before events, whose words are part of these.
-        RoleInfo{Role::EventOrder, {"event-order", "date-order", "event_order"}, {"older", "younger"}},
-        RoleInfo{Role::Events, {"events", "radiocarbon", "dates"}, {"theta", "context", "lab", "association"}},
-    };
-    return table;
-}
-
-const RoleInfo& info(Role role) {
-    return *std::find_if(roles().begin(), roles().end(), [&](const RoleInfo& r) { return r.role == role; });
-}
-
-enum class HeaderLine { Unsaid, Yes, No };
-
-/// What an ini file says: which file is which table, and which tables have a line of headers.
-struct Configuration {
-    std::map<std::string, Role> files; ///< by name without folders
-    std::map<Role, HeaderLine> headers;
-    bool found = false;
-};
-
-std::optional<Role> role_from_word(std::string_view word) {
-    for (const RoleInfo& role : roles()) {
-        for (const std::string_view candidate : role.words) {
-            if (!candidate.empty() && candidate == word) return role.role;
-        }
-    }
-    return std::nullopt;
-}
-
-void read_configuration(std::string_view bytes, Configuration& configuration) {
-    std::string section;
-    const DecodedText decoded = decode_text(bytes, {});
-    for (const std::string_view line : text::split(decoded.text, '\n')) {
-        const std::string_view trimmed = text::trim(line);
-        if (trimmed.starts_with('[')) {
-            section = text::fold_case(trimmed);
-            configuration.found = configuration.found || section == "[input files]";
-            continue;
-        }
-        const std::size_t equals = trimmed.find('=');
-        if (equals == std::string_view::npos) continue;
-        const auto role = role_from_word(text::fold_case(text::trim(trimmed.substr(0, equals))));
-        const std::string_view value = text::trim(trimmed.substr(equals + 1));
-        if (!role || value.empty()) continue;
-        if (section == "[input files]") {
-            const std::size_t slash = value.find_last_of("/\\");
-            configuration.files[std::string{value.substr(slash == std::string_view::npos ? 0 : slash + 1)}] = *role;
-        } else if (section == "[input file headers]") {
-            const std::string word = text::fold_case(value);
-            const bool yes = word == "yes" || word == "true" || word == "1" || word == "on";
-            configuration.headers[*role] = yes ? HeaderLine::Yes : HeaderLine::No;
-        }
-    }
-}
-
-bool is_configuration(const InputFile& file) {
-    if (text::fold_case(file.path.extension().string()) != ".ini" || !is_probably_text(file.bytes)) return false;
-    Configuration configuration;
-    read_configuration(file.bytes, configuration);
-    return configuration.found;
-}
-
-std::optional<Role> role_from_name(const InputFile& file) {
-    const std::string name = text::fold_case(file.path.stem().string());
-    for (const RoleInfo& role : roles()) {
-        for (const std::string_view word : role.words) {
-            if (!word.empty() && name.find(word) != std::string::npos) return role.role;
-        }
-    }
-    return std::nullopt;
-}
-
-// By the columns of the first row; periods and phases have the same, so the name decides.
-std::optional<Role> role_from_header(const InputFile& file, const DelimitedTable& table) {
-    if (table.rows.empty()) return std::nullopt;
-    const TableHeader header(table.rows.front());
-    if (header.has("label") && header.has("unit_type")) return Role::Contexts;
-    if (header.has("theta") && header.has("context")) return Role::Events;
-    if (header.has("first") && header.has("second") && header.names().size() == 2) return Role::Inferences;
-    if (header.has("younger") && header.has("older")) {
-        return *header.find("older") < *header.find("younger") ? Role::EventOrder : Role::Observations;
-    }
-    if (header.has("id") && header.has("label") && header.has("attribute")) {
-        return role_from_name(file) == Role::Phases ? Role::Phases : Role::Periods;
-    }
-    return std::nullopt;
-}
-
-struct Assigned {
-    Role role;
-    HeaderLine header = HeaderLine::Unsaid;
-};
-
-// The ini's word first, then the columns, then the file's name for tables without a header.
-std::optional<Assigned> assign(const InputFile& file, const DelimitedTable& table, const Configuration& configuration) {
-    const auto by_header = role_from_header(file, table);
-    const auto by_ini = configuration.files.find(file.name);
-    std::optional<Role> role = by_header;
-    if (by_ini != configuration.files.end()) role = by_ini->second;
-    if (!role) role = role_from_name(file);
-    if (!role) return std::nullopt;
-    HeaderLine header = by_header ? HeaderLine::Yes : HeaderLine::Unsaid;
-    const auto said = configuration.headers.find(*role);
-    if (!by_header && said != configuration.headers.end()) header = said->second;
-    return Assigned{*role, header};
-}
-
 /// One table with its columns found, by header or by place.
 class HmTable {
   public:
-    HmTable(const DelimitedTable& table, std::string_view file, const Assigned& assigned)
+    HmTable(const DelimitedTable& table, std::string_view file, const HmAssigned& assigned)
         : table_(&table), file_(file), role_(assigned.role) {
-        const std::vector<std::string_view>& columns = info(role_).columns;
+        const std::vector<std::string_view>& columns = hm_role_info(role_).columns;
         if (assigned.header != HeaderLine::No && !table.rows.empty()) {
             const TableHeader header(table.rows.front());
             if (header.has(columns.at(0)) && header.has(columns.at(1))) {
@@ -183,13 +62,15 @@ class HmTable {
     }
 
     [[nodiscard]] Place place(const TableRow& row) const { return {file_, row.line, {}}; }
+
     [[nodiscard]] std::string_view file() const { return file_; }
-    [[nodiscard]] Role role() const { return role_; }
+
+    [[nodiscard]] HmRole role() const { return role_; }
 
   private:
     const DelimitedTable* table_;
     std::string_view file_;
-    Role role_;
+    HmRole role_;
     std::size_t first_row_ = 0;
     std::vector<std::string> names_;
 };
@@ -212,25 +93,27 @@ void read_contexts(const HmTable& table, RecordBuilder& builder) {
                          fmt::format("the unit type {} of {} is not known", type, name.number));
         }
         const std::string position = table.value(row, "position");
-        if (position != "other") builder.fill(unit.values.details["position"], position, "the position", place);
+        if (position != "other")
+            builder.fill(unit.values.details["position"], position, "the position", place);
         if (position.empty() || position == "other") unit.values.details.erase("position");
         unit.period = table.value(row, "period");
         unit.phase = table.value(row, "phase");
-        constexpr std::array<std::string_view, 5> kKnown = {"label", "unit_type", "position", "period", "phase"};
+        constexpr std::array<std::string_view, 5> kKnown = {"label", "unit_type", "position", "period",
+                                                            "phase"};
         const std::string others = table.others(row, kKnown);
         if (!others.empty()) unit.values.details["custom"] = text::replace_all(others, "; ", "\n");
     }
 }
 
 void read_pairs(const HmTable& table, RecordBuilder& builder) {
-    const bool inference = table.role() == Role::Inferences;
+    const bool inference = table.role() == HmRole::Inferences;
     for (const TableRow& row : table.rows()) {
         const std::string first = table.value(row, inference ? "first" : "younger");
         const std::string second = table.value(row, inference ? "second" : "older");
         const std::string raw = first + "," + second;
         const RelationKind kind = inference ? RelationKind::SameAs : RelationKind::Covers;
-        StatedRelation* relation =
-            builder.relate(builder.name(first), {kind, false}, builder.name(second), {table.file(), row.line, raw});
+        StatedRelation* relation = builder.relate(builder.name(first), {kind, false}, builder.name(second),
+                                                  {table.file(), row.line, raw});
         if (relation == nullptr) continue;
         relation->side = model::StatementSide::Neither; // a list beside the sheets
         relation->correlation = inference;              // one deposit, recorded in two places
@@ -253,7 +136,7 @@ void read_chronology(const HmTable& table, RecordBuilder& builder) {
             values.title = table.value(row, "label");
             values.description = std::move(description);
         };
-        if (table.role() == Role::Periods) {
+        if (table.role() == HmRole::Periods) {
             builder.record.periods.emplace_back();
             set(builder.record.periods.back());
         } else {
@@ -262,7 +145,8 @@ void read_chronology(const HmTable& table, RecordBuilder& builder) {
         }
     }
     if (styled) {
-        builder.note({table.file(), 0, {}}, "not-kept", "the column attribute styles a drawing and was not kept");
+        builder.note({table.file(), 0, {}}, "not-kept",
+                     "the column attribute styles a drawing and was not kept");
     }
 }
 
@@ -297,7 +181,8 @@ void read_events(const HmTable& table, RecordBuilder& builder, EventPlaces& even
         }
         const std::string association = association_of(word);
         if (association.empty() && !word.empty()) {
-            builder.note(place, text::fold_case(word) == "rejected" ? "rejected-dating" : "unknown-association",
+            builder.note(place,
+                         text::fold_case(word) == "rejected" ? "rejected-dating" : "unknown-association",
                          fmt::format("{} of {} is marked {}; left out", lab, unit.number, word));
             continue;
         }
@@ -312,9 +197,10 @@ void read_events(const HmTable& table, RecordBuilder& builder, EventPlaces& even
         builder.record.datings.push_back(std::move(dating));
     }
     if (repeated > 0) {
-        builder.note({table.file(), 0, {}}, "repeated",
-                     fmt::format("{} events stand here again, same laboratory number and context; the first count",
-                                 repeated));
+        builder.note(
+            {table.file(), 0, {}}, "repeated",
+            fmt::format("{} events stand here again, same laboratory number and context; the first count",
+                        repeated));
     }
 }
 
@@ -327,7 +213,8 @@ void read_event_order(const HmTable& table, RecordBuilder& builder, const EventP
         const auto late = events.find(younger);
         const std::string raw = older + "," + younger;
         if (early == events.end() || late == events.end()) {
-            builder.note({table.file(), row.line, raw}, "empty-target", "the order names an event that is not listed");
+            builder.note({table.file(), row.line, raw}, "empty-target",
+                         "the order names an event that is not listed");
             continue;
         }
         const ImportedDating& earlier = builder.record.datings[early->second];
@@ -341,21 +228,21 @@ void read_event_order(const HmTable& table, RecordBuilder& builder, const EventP
 
 Recognition recognise(std::span<const InputFile> files) {
     Recognition result;
-    Configuration configuration;
+    HmConfiguration configuration;
     std::vector<std::size_t> weak;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (!is_configuration(files[i])) continue;
-        read_configuration(files[i].bytes, configuration);
+        if (!is_hm_guide(files[i])) continue;
+        read_hm_guide(files[i], configuration);
         weak.push_back(i);
     }
     result.why = "columns of hm tables (label, unit-type; younger, older; first, second)";
     for (std::size_t i = 0; i < files.size(); ++i) {
-        const bool is_ini = std::find(weak.begin(), weak.end(), i) != weak.end();
-        const DelimitedTable table = is_ini ? DelimitedTable{} : glimpse_table(files[i]);
+        const bool is_guide_file = std::find(weak.begin(), weak.end(), i) != weak.end();
+        const DelimitedTable table = is_guide_file ? DelimitedTable{} : glimpse_table(files[i]);
         if (table.rows.empty()) continue;
-        const auto by_header = role_from_header(files[i], table);
-        if (by_header == Role::Contexts || by_header == Role::Observations || by_header == Role::Events ||
-            by_header == Role::EventOrder) {
+        const auto by_header = hm_role_from_header(files[i], table);
+        if (by_header == HmRole::Contexts || by_header == HmRole::Observations ||
+            by_header == HmRole::Events || by_header == HmRole::EventOrder) {
             result.files.push_back(i);
             result.confidence = Confidence::Certain;
         } else if (configuration.files.contains(files[i].name)) {
@@ -367,7 +254,7 @@ Recognition recognise(std::span<const InputFile> files) {
     }
     // An ini, or a list of periods or inferences alone, is worth something only beside the others.
     if (result.confidence == Confidence::No && !weak.empty()) {
-        std::erase_if(weak, [&](std::size_t i) { return is_configuration(files[i]); });
+        std::erase_if(weak, [&](std::size_t i) { return is_hm_guide(files[i]); });
         if (!weak.empty()) result.confidence = Confidence::Possible;
     }
     result.files.insert(result.files.end(), weak.begin(), weak.end());
@@ -375,46 +262,62 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
+                              Progress& progress) {
     RecordBuilder builder(options);
-    Configuration configuration;
+    HmConfiguration configuration;
     for (const InputFile* file : files) {
-        if (is_configuration(*file)) read_configuration(file->bytes, configuration);
+        if (is_hm_guide(*file)) read_hm_guide(*file, configuration);
     }
     std::vector<DelimitedTable> parsed;
     parsed.reserve(files.size());
     std::vector<HmTable> tables;
     for (const InputFile* file : files) {
         progress.check();
-        if (is_configuration(*file)) continue;
+        if (is_hm_guide(*file)) continue;
         require_text(*file, "a table of hm");
         parsed.push_back(parse_table(file->bytes, file->name));
         builder.add_notes(std::move(parsed.back().notes));
-        const auto assigned = assign(*file, parsed.back(), configuration);
+        const auto assigned = assign_hm_role(*file, parsed.back(), configuration);
         if (!assigned) {
-            throw Error(ErrorCode::BadInput,
-                        fmt::format("{}: no table of hm; looked for the columns label, unit-type or younger, older or "
-                                    "first, second or theta, context or id, label, attribute, for an ini that names "
-                                    "it, and for a telling file name",
-                                    file->name));
+            throw Error(
+                ErrorCode::BadInput,
+                fmt::format(
+                    "{}: no table of hm; looked for the columns label, unit-type or younger, older or "
+                    "first, second or theta, context or id, label, attribute, for an ini that names "
+                    "it, and for a telling file name",
+                    file->name));
         }
         tables.emplace_back(parsed.back(), file->name, *assigned);
+    }
+    if (tables.empty()) {
+        throw Error(ErrorCode::BadInput, fmt::format("{}: no table beside it; give the tables it names too",
+                                                     files.empty() ? "" : files.front()->name));
     }
     EventPlaces events;
     std::set<std::pair<std::string, std::string>> seen;
     for (const HmTable& table : tables) {
         switch (table.role()) {
-        case Role::Contexts: read_contexts(table, builder); break;
-        case Role::Observations:
-        case Role::Inferences: read_pairs(table, builder); break;
-        case Role::Periods:
-        case Role::Phases: read_chronology(table, builder); break;
-        case Role::Events: read_events(table, builder, events, seen); break;
-        case Role::EventOrder: break;
+        case HmRole::Contexts:
+            read_contexts(table, builder);
+            break;
+        case HmRole::Observations:
+        case HmRole::Inferences:
+            read_pairs(table, builder);
+            break;
+        case HmRole::Periods:
+        case HmRole::Phases:
+            read_chronology(table, builder);
+            break;
+        case HmRole::Events:
+            read_events(table, builder, events, seen);
+            break;
+        case HmRole::EventOrder:
+            break;
         }
     }
     for (const HmTable& table : tables) {
-        if (table.role() == Role::EventOrder) read_event_order(table, builder, events);
+        if (table.role() == HmRole::EventOrder) read_event_order(table, builder, events);
     }
     return builder.finish();
 }

@@ -21,11 +21,14 @@ using Cells = std::vector<std::string>;
 class Table {
   public:
     explicit Table(const Cells& header) { add(header); }
+
     void add(const Cells& cells) {
         text_ += writer_.write(cells);
         ++rows_;
     }
+
     [[nodiscard]] bool has_rows() const { return rows_ > 1; }
+
     [[nodiscard]] const std::string& text() const { return text_; }
 
   private:
@@ -61,7 +64,8 @@ std::pair<Table, Table> relations(const RecordNames& names) {
         const model::PhysicalRelation& r = names.record().relations[i];
         const std::string subject = names.unit(r.subject);
         const std::string object = names.unit(r.object);
-        if (model::time_meaning(r.kind) == model::TimeMeaning::SubjectLater) tables.first.add({subject, object, ""});
+        if (model::time_meaning(r.kind) == model::TimeMeaning::SubjectLater)
+            tables.first.add({subject, object, ""});
         if (r.kind == RelationKind::SameAs) tables.second.add({subject, object});
     }
     return tables;
@@ -88,10 +92,11 @@ Table events(const RecordNames& names, std::vector<std::string>& lost) {
     return table;
 }
 
-template <class Values, class NumberOf>
+template<class Values, class NumberOf>
 Table chronology(const Values& values, NumberOf number_of) {
     Table table({"id", "label", "attribute", "description"});
-    for (const auto& value : values) table.add({number_of(value), value.title, "", value.description});
+    for (const auto& value : values)
+        table.add({number_of(value), value.title, "", value.description});
     return table;
 }
 
@@ -118,7 +123,8 @@ Written write_hm_tables(const model::Record& record, const WriteOptions& /*optio
     written.lost = losses(record, carries);
     const RecordNames names(record);
     std::size_t nested = 0;
-    for (const model::Phase& phase : record.phases) nested += phase.period.is_nil() ? 0U : 1U;
+    for (const model::Phase& phase : record.phases)
+        nested += phase.period.is_nil() ? 0U : 1U;
     add_loss(written.lost, nested, "phases belong to a period, which is written only with their units");
     auto [observations, inferences] = relations(names);
     const std::array tables = {

@@ -62,7 +62,8 @@ class HmcTable {
         for (const HmcNode& node : nodes_) {
             if (is_hmc_group(node.type)) groups_.insert(node.id);
         }
-        for (std::size_t i = 0; i < rows_.size(); ++i) add_relations(nodes_[i], *rows_[i]);
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            add_relations(nodes_[i], *rows_[i]);
     }
 
     [[nodiscard]] bool is_empty() const { return nodes_.empty(); }
@@ -77,8 +78,13 @@ class HmcTable {
     }
 
     [[nodiscard]] HmcNode node_of(const TableRow& row) const {
-        return {value(row, "id"),     value(row, "type"),           value(row, "name"), value(row, "description"),
-                value(row, "parent"), value(row, "valid") != "false", row.line};
+        return {value(row, "id"),
+                value(row, "type"),
+                value(row, "name"),
+                value(row, "description"),
+                value(row, "parent"),
+                value(row, "valid") != "false",
+                row.line};
     }
 
     void add_relations(const HmcNode& node, const TableRow& row) {
@@ -86,7 +92,8 @@ class HmcTable {
         for (const ListColumn& column : kListColumns) {
             const std::string list = value(row, column.name);
             for (const std::string& other : split_list(list, ListSeparator::Comma)) {
-                const std::string raw = fmt::format("{} {}: {}", node.id, text::fold_case(column.name), other);
+                const std::string raw =
+                    fmt::format("{} {}: {}", node.id, text::fold_case(column.name), other);
                 const Place place{file_, row.line, raw};
                 if (is_hmc_group(node.type) || groups_.contains(other)) {
                     builder_.note(place, "group-relation",
@@ -123,7 +130,8 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
+                              Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -133,8 +141,9 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
         HmcTable reader(builder, file->name);
         reader.read(table);
         if (reader.is_empty()) {
-            throw Error(ErrorCode::BadInput,
-                        fmt::format("{}: no line tagged UNIT below a HEADER line with the column ID", file->name));
+            throw Error(
+                ErrorCode::BadInput,
+                fmt::format("{}: no line tagged UNIT below a HEADER line with the column ID", file->name));
         }
     }
     return builder.finish();

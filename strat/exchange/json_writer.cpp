@@ -22,7 +22,7 @@ void put(Json& object, const char* key, std::string_view text) {
     if (!text.empty()) object[key] = text;
 }
 
-template <class Number>
+template<class Number>
 void put(Json& object, const char* key, const std::optional<Number>& value) {
     if (value) object[key] = *value;
 }
@@ -30,7 +30,8 @@ void put(Json& object, const char* key, const std::optional<Number>& value) {
 class JsonRecord {
   public:
     explicit JsonRecord(const RecordNames& names) : names_(names), record_(names.record()) {
-        for (const model::Source& source : record_.sources) sources_.emplace(source.id, source.name);
+        for (const model::Source& source : record_.sources)
+            sources_.emplace(source.id, source.name);
         for (const model::RelationStatement& statement : record_.statements) {
             statements_[statement.relation].push_back(&statement);
         }
@@ -47,7 +48,8 @@ class JsonRecord {
         fill(root["groups"], record_.groups, &JsonRecord::group);
         fill(root["units"], record_.units, &JsonRecord::unit);
         root["relations"] = Json::array();
-        for (const std::size_t i : complete_relations(names_)) root["relations"].push_back(relation(record_.relations[i]));
+        for (const std::size_t i : complete_relations(names_))
+            root["relations"].push_back(relation(record_.relations[i]));
         fill(root["datings"], record_.datings, &JsonRecord::dating);
         fill(root["levels"], record_.levels, &JsonRecord::level);
         fill(root["finds"], record_.finds, &JsonRecord::find);
@@ -57,10 +59,11 @@ class JsonRecord {
     }
 
   private:
-    template <class Values, class Make>
+    template<class Values, class Make>
     void fill(Json& array, const Values& values, Make make) const {
         array = Json::array();
-        for (const auto& value : values) array.push_back((this->*make)(value));
+        for (const auto& value : values)
+            array.push_back((this->*make)(value));
     }
 
     void put_unit(Json& object, const char* key, model::UnitId id) const {
@@ -75,7 +78,7 @@ class JsonRecord {
         return object;
     }
 
-    template <class Value>
+    template<class Value>
     [[nodiscard]] static Json chronology(const Value& value, const std::string& number) {
         Json object = {{"number", number}};
         put(object, "title", value.title);
@@ -226,10 +229,11 @@ class JsonRecord {
 Written write_json(const model::Record& record, const WriteOptions& /*options*/) {
     Carries all;
     all.kind = [](const model::StratigraphicUnit&) { return true; };
-    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation = all.details =
-        all.mentioned = all.phases = all.periods = all.chronology_years = all.groups = all.contact_kinds = all.later =
-            all.same_as = all.bonds = all.contemporary = all.borders = all.certainty = all.statements = all.datings =
-                all.levels = all.finds = all.samples = all.documents = true;
+    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation =
+        all.details = all.mentioned = all.phases = all.periods = all.chronology_years = all.groups =
+            all.contact_kinds = all.later = all.same_as = all.bonds = all.contemporary = all.borders =
+                all.certainty = all.statements = all.datings = all.levels = all.finds = all.samples =
+                    all.documents = true;
     Written written;
     written.lost = losses(record, all);
     const RecordNames names(record);

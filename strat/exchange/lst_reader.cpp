@@ -69,7 +69,10 @@ class LstParser {
 
     void parse(std::string_view text) {
         std::int64_t number = 0;
-        for (const std::string_view line : text::split(text, '\n')) {
+        while (!text.empty()) {
+            const std::size_t end = text.find('\n');
+            const std::string_view line = text.substr(0, end);
+            text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
             ++number;
             if (number <= 3) {
                 read_header(line);
@@ -83,7 +86,8 @@ class LstParser {
                 read_unit(place);
             }
         }
-        for (const auto& [group, member] : parts_) put_into_group(member, group);
+        for (const auto& [group, member] : parts_)
+            put_into_group(member, group);
     }
 
   private:
@@ -116,7 +120,8 @@ class LstParser {
         const auto entry = parse_entry(place.raw_text);
         if (!entry || !current_) {
             builder_.note(place, "unparsed",
-                          current_ ? "no `key: list` under a unit; left out" : "an entry before any unit; left out");
+                          current_ ? "no `key: list` under a unit; left out"
+                                   : "an entry before any unit; left out");
             return;
         }
         for (const Key& key : kRelationKeys) {
@@ -146,7 +151,8 @@ class LstParser {
             builder_.group(current_text_).values.type = "group";
             groups_.emplace(*current_, current_text_);
         } else if (folded != "context" && !folded.empty()) {
-            builder_.note(place, "unknown-class", fmt::format("the class {} is not known; taken as context", word));
+            builder_.note(place, "unknown-class",
+                          fmt::format("the class {} is not known; taken as context", word));
         }
     }
 
@@ -219,7 +225,8 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
+                              Progress& progress) {
     RecordBuilder builder(options);
     std::map<UnitName, std::string> groups;
     for (const InputFile* file : files) {
@@ -233,10 +240,11 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
     }
     if (!groups.empty()) take_groups_out(builder, groups);
     if (builder.record.units.empty()) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{}: no unit found; a .lst dataset has three lines of title, then unit numbers in "
-                                "the first column with indented above: and below: lists",
-                                files.empty() ? "" : files.front()->name));
+        throw Error(
+            ErrorCode::BadInput,
+            fmt::format("{}: no unit found; a .lst dataset has three lines of title, then unit numbers in "
+                        "the first column with indented above: and below: lists",
+                        files.empty() ? "" : files.front()->name));
     }
     return builder.finish();
 }

@@ -17,11 +17,27 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 Names unit_columns() {
-    Names names = {"unit",       "area",        "kind",           "form",           "status",       "title",
-                   "description", "interpretation", "excavated_from", "excavated_on", "recorded_by", "recorded_on",
-                   "phase",      "period",      "parent",         "group",          "top",
-                   "x",          "y"};
-    for (const model::UnitFieldInfo& field : model::kUnitFields) names.push_back(field.name);
+    Names names = {"unit",
+                   "area",
+                   "kind",
+                   "form",
+                   "status",
+                   "title",
+                   "description",
+                   "interpretation",
+                   "excavated_from",
+                   "excavated_on",
+                   "recorded_by",
+                   "recorded_on",
+                   "phase",
+                   "period",
+                   "parent",
+                   "group",
+                   "top",
+                   "x",
+                   "y"};
+    for (const model::UnitFieldInfo& field : model::kUnitFields)
+        names.push_back(field.name);
     return names;
 }
 
@@ -38,48 +54,72 @@ std::span<const std::string_view> csv_columns(CsvTable table) {
                                     "certainty", "person", "correlation", "side"};
     static const Names members = {"group", "unit", "area"};
     static const Names levels = {"unit", "area", "z", "role", "x", "y", "label"};
-    static const Names finds = {"find",  "unit",   "area",      "x",   "y",        "z",          "type", "material",
-                                "count", "weight", "condition", "box", "found_on", "description"};
-    static const Names samples = {"sample", "unit",   "area",              "type",  "volume",
-                                  "weight", "laboratory_number", "state", "description"};
+    static const Names finds = {"find",     "unit",  "area",   "x",         "y",   "z",        "type",
+                                "material", "count", "weight", "condition", "box", "found_on", "description"};
+    static const Names samples = {
+        "sample", "unit", "area", "type", "volume", "weight", "laboratory_number", "state", "description"};
     static const Names documents = {"document", "unit", "area", "type", "title", "path", "made_on", "author"};
-    static const Names datings = {"dating", "unit", "area", "find",        "kind", "from",
+    static const Names datings = {"dating", "unit", "area",  "find",        "kind", "from",
                                   "to",     "bp",   "error", "association", "notes"};
     static const Names phases = {"phase", "title", "description", "period", "from", "to", "rank"};
     static const Names periods = {"period", "title", "description", "from", "to", "rank"};
     static const Names groups = {"group", "type", "title", "description", "parent"};
     static const Names areas = {"area", "title", "method", "first_number", "last_number"};
     switch (table) {
-    case CsvTable::Units: return units;
-    case CsvTable::Relations: return relations;
-    case CsvTable::Members: return members;
-    case CsvTable::Levels: return levels;
-    case CsvTable::Finds: return finds;
-    case CsvTable::Samples: return samples;
-    case CsvTable::Documents: return documents;
-    case CsvTable::Datings: return datings;
-    case CsvTable::Phases: return phases;
-    case CsvTable::Periods: return periods;
-    case CsvTable::Groups: return groups;
-    case CsvTable::Areas: return areas;
+    case CsvTable::Units:
+        return units;
+    case CsvTable::Relations:
+        return relations;
+    case CsvTable::Members:
+        return members;
+    case CsvTable::Levels:
+        return levels;
+    case CsvTable::Finds:
+        return finds;
+    case CsvTable::Samples:
+        return samples;
+    case CsvTable::Documents:
+        return documents;
+    case CsvTable::Datings:
+        return datings;
+    case CsvTable::Phases:
+        return phases;
+    case CsvTable::Periods:
+        return periods;
+    case CsvTable::Groups:
+        return groups;
+    case CsvTable::Areas:
+        return areas;
     }
     return {};
 }
 
 std::string_view csv_name(CsvTable table) noexcept {
     switch (table) {
-    case CsvTable::Units: return "units";
-    case CsvTable::Relations: return "relations";
-    case CsvTable::Members: return "members";
-    case CsvTable::Levels: return "levels";
-    case CsvTable::Finds: return "finds";
-    case CsvTable::Samples: return "samples";
-    case CsvTable::Documents: return "documents";
-    case CsvTable::Datings: return "datings";
-    case CsvTable::Phases: return "phases";
-    case CsvTable::Periods: return "periods";
-    case CsvTable::Groups: return "groups";
-    case CsvTable::Areas: return "areas";
+    case CsvTable::Units:
+        return "units";
+    case CsvTable::Relations:
+        return "relations";
+    case CsvTable::Members:
+        return "members";
+    case CsvTable::Levels:
+        return "levels";
+    case CsvTable::Finds:
+        return "finds";
+    case CsvTable::Samples:
+        return "samples";
+    case CsvTable::Documents:
+        return "documents";
+    case CsvTable::Datings:
+        return "datings";
+    case CsvTable::Phases:
+        return "phases";
+    case CsvTable::Periods:
+        return "periods";
+    case CsvTable::Groups:
+        return "groups";
+    case CsvTable::Areas:
+        return "areas";
     }
     return {};
 }
@@ -121,7 +161,8 @@ std::optional<std::string> iso_date(std::string_view text) {
         parts[2].size() > 2 || !is_number_between(parts[1], 1, 12) || !is_number_between(parts[2], 1, 31)) {
         return std::nullopt;
     }
-    return fmt::format("{}-{:02}-{:02}", parts[0], *text::parse_integer(parts[1]), *text::parse_integer(parts[2]));
+    return fmt::format("{}-{:02}-{:02}", parts[0], *text::parse_integer(parts[1]),
+                       *text::parse_integer(parts[2]));
 }
 
 } // namespace planum::strat

@@ -23,13 +23,18 @@ class CsvRow {
     /// An ISO date; what is none is reported and left out.
     [[nodiscard]] std::string date(std::string_view column) const;
     /// The unit in the columns `unit` and `area`.
-    [[nodiscard]] UnitName unit(std::string_view column = "unit", std::string_view area_column = "area") const;
+    [[nodiscard]] UnitName unit(std::string_view column = "unit",
+                                std::string_view area_column = "area") const;
     /// A unit named without its area is of the same area as `near`.
-    [[nodiscard]] UnitName unit_near(const UnitName& near, std::string_view text, std::string_view area) const;
+    [[nodiscard]] UnitName unit_near(const UnitName& near, std::string_view text,
+                                     std::string_view area) const;
 
     [[nodiscard]] Place place(std::string_view raw_text = {}) const { return {file_, row_->line, raw_text}; }
+
     [[nodiscard]] const TableHeader& header() const { return *header_; }
+
     [[nodiscard]] std::string_view at(std::size_t column) const { return cell(*row_, column); }
+
     void note(std::string_view raw_text, std::string_view code, std::string message) const;
 
   private:

@@ -6,6 +6,7 @@
 namespace planum::strat {
 
 std::span<const Reader> all_readers() {
+    // clang-format off: one line each
     static const std::array readers = {
         pyarchinit_reader(),
         stratigraphr_reader(),
@@ -22,7 +23,9 @@ std::span<const Reader> all_readers() {
         hm_tables_reader(),
         arkmatrix_reader(),
         urkesh_reader(),
+        json_reader(),
     };
+    // clang-format on
     return readers;
 }
 

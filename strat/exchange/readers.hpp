@@ -14,6 +14,7 @@ namespace planum::strat {
 [[nodiscard]] const Reader& hm_tables_reader();
 [[nodiscard]] const Reader& arkmatrix_reader();
 [[nodiscard]] const Reader& urkesh_reader();
+[[nodiscard]] const Reader& json_reader();
 
 [[nodiscard]] const Reader& pyarchinit_reader();
 [[nodiscard]] const Reader& stratigraphr_reader();

@@ -13,13 +13,13 @@ namespace {
 using model::RelationKind;
 using model::StratigraphicUnit;
 
-template <class Key>
+template<class Key>
 std::string find_in(const std::unordered_map<Key, std::string>& map, Key id) {
     const auto it = map.find(id);
     return it == map.end() ? std::string{} : it->second;
 }
 
-template <class Values, class Predicate>
+template<class Values, class Predicate>
 std::size_t count(const Values& values, Predicate predicate) {
     return static_cast<std::size_t>(std::count_if(values.begin(), values.end(), predicate));
 }
@@ -57,12 +57,14 @@ void add_unit_losses(const model::Record& record, const Carries& carries, std::v
         [](const StratigraphicUnit& u) { return !u.period.is_nil(); });
 }
 
-void add_relation_losses(const model::Record& record, const Carries& carries, std::vector<std::string>& lost) {
+void add_relation_losses(const model::Record& record, const Carries& carries,
+                         std::vector<std::string>& lost) {
     const auto of_kind = [&](RelationKind kind) {
         return count(record.relations, [&](const auto& r) { return r.kind == kind; });
     };
     if (!carries.contact_kinds) {
-        add_loss(lost, of_kind(RelationKind::Cuts) + of_kind(RelationKind::Fills) + of_kind(RelationKind::Abuts),
+        add_loss(lost,
+                 of_kind(RelationKind::Cuts) + of_kind(RelationKind::Fills) + of_kind(RelationKind::Abuts),
                  "relations cuts, fills and abuts are written as above");
     }
     if (!carries.later) add_loss(lost, of_kind(RelationKind::Later), "relations later are written as above");
@@ -77,8 +79,10 @@ void add_relation_losses(const model::Record& record, const Carries& carries, st
     }
     if (!carries.borders) add_loss(lost, of_kind(RelationKind::Borders), "relations borders are not written");
     if (!carries.certainty) {
-        add_loss(lost, count(record.relations, [](const auto& r) { return r.certainty != model::Certainty::Certain; }),
-                 "relations are uncertain, which is not written");
+        add_loss(
+            lost,
+            count(record.relations, [](const auto& r) { return r.certainty != model::Certainty::Certain; }),
+            "relations are uncertain, which is not written");
         add_loss(lost, count(record.relations, [](const auto& r) { return r.correlation; }),
                  "relations same_as are correlations, which is not written");
     }
@@ -91,18 +95,23 @@ void add_relation_losses(const model::Record& record, const Carries& carries, st
 } // namespace
 
 RecordNames::RecordNames(const model::Record& record) : record_(&record), index_(record) {
-    for (const model::Period& period : record.periods) periods_.emplace(period.id, period.number);
+    for (const model::Period& period : record.periods)
+        periods_.emplace(period.id, period.number);
     std::map<std::string, std::size_t> uses;
-    for (const model::Phase& phase : record.phases) ++uses[phase.number];
+    for (const model::Phase& phase : record.phases)
+        ++uses[phase.number];
     for (const model::Phase& phase : record.phases) {
         const std::string period = find_in(periods_, phase.period);
         const bool plain = uses[phase.number] < 2 || period.empty();
         phases_.emplace(phase.id, plain ? phase.number : period + "." + phase.number);
         period_of_phase_.emplace(phase.id, phase.period);
     }
-    for (const model::UnitGroup& group : record.groups) groups_.emplace(group.id, group.number);
-    for (const model::Area& area : record.areas) areas_.emplace(area.id, area.name);
-    for (const model::Find& find : record.finds) finds_.emplace(find.id, find.number);
+    for (const model::UnitGroup& group : record.groups)
+        groups_.emplace(group.id, group.number);
+    for (const model::Area& area : record.areas)
+        areas_.emplace(area.id, area.name);
+    for (const model::Find& find : record.finds)
+        finds_.emplace(find.id, find.number);
 }
 
 std::string RecordNames::phase(model::PhaseId id) const {

@@ -19,7 +19,9 @@ class RecordNames {
 
     /// `NUMBER`, or `AREA::NUMBER` where the number alone is not unique.
     [[nodiscard]] std::string unit(model::UnitId id) const { return index_.name(id); }
+
     [[nodiscard]] bool has(model::UnitId id) const { return index_.find(id) != model::kNoUnit; }
+
     [[nodiscard]] const model::StratigraphicUnit& unit_at(model::UnitId id) const {
         return record_->units[index_.find(id)];
     }

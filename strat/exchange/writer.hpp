@@ -31,7 +31,7 @@ struct WriteOptions {
 /// One format that can be written. The same record gives the same bytes. A writer never fails for what
 /// a record holds: what the format lacks is written as near as it goes and said in `lost`.
 struct Writer {
-    std::string_view format;    ///< the name its reader has
+    std::string_view format; ///< the name its reader has
     std::string_view title;
     std::string_view extension; ///< of the single file, or of the archive; empty: several files
     Written (*write)(const model::Record& record, const WriteOptions& options);

@@ -32,14 +32,16 @@ std::int64_t line_at(const std::vector<std::size_t>& line_ends, std::size_t offs
 } // namespace
 
 XmlInput::XmlInput(std::string_view bytes, std::string_view file_name, std::string_view what) {
-    if (text::trim(bytes).empty()) throw Error(ErrorCode::BadInput, fmt::format("{}: the file is empty", file_name));
+    if (text::trim(bytes).empty())
+        throw Error(ErrorCode::BadInput, fmt::format("{}: the file is empty", file_name));
     if (!is_probably_text(bytes)) {
         throw Error(ErrorCode::BadInput, fmt::format("{}: binary, not {}", file_name, what));
     }
     DecodedText decoded = decode_text(bytes, file_name);
     notes_ = std::move(decoded.notes);
     if (std::count(decoded.text.begin(), decoded.text.end(), '<') > kMaxElements) {
-        throw Error(ErrorCode::BadInput, fmt::format("{}: more than {} XML elements", file_name, kMaxElements));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: more than {} XML elements", file_name, kMaxElements));
     }
     line_ends_ = offsets_of_line_feeds(decoded.text);
     // The text is UTF-8 by now, whatever its declaration says.
@@ -54,9 +56,9 @@ XmlInput::XmlInput(std::string_view bytes, std::string_view file_name, std::stri
     }
     if (!result) {
         const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
-        throw Error(ErrorCode::BadInput, fmt::format("{}: line {}: no well-formed XML, so not {}: {}", file_name,
-                                                     line_at(line_ends_, offset), what,
-                                                     text::fold_case(result.description())));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: line {}: no well-formed XML, so not {}: {}", file_name,
+                                line_at(line_ends_, offset), what, text::fold_case(result.description())));
     }
 }
 

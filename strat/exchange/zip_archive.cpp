@@ -16,7 +16,7 @@ namespace planum::strat {
 namespace {
 
 constexpr std::size_t kMaxMembers = 10'000;
-constexpr std::size_t kMaxRatio = 200;          // project files shrink to a tenth or twentieth
+constexpr std::size_t kMaxRatio = 200;            // project files shrink to a tenth or twentieth
 constexpr std::size_t kAlwaysAllowed = 1U << 20U; // small members may be as repetitive as they like
 
 struct ReadCloser {
@@ -49,9 +49,10 @@ std::string read_member(archive* a, std::string_view file, std::string_view memb
         if (count == 0) return content;
         content.append(buffer.data(), static_cast<std::size_t>(count));
         if (content.size() > limit) {
-            fail(file, fmt::format("{} in the archive unpacks to more than {} bytes, which no project of that size "
-                                   "does",
-                                   member, limit));
+            fail(file,
+                 fmt::format("{} in the archive unpacks to more than {} bytes, which no project of that size "
+                             "does",
+                             member, limit));
         }
     }
 }
@@ -78,7 +79,8 @@ std::map<std::string, std::string> read_zip(std::string_view bytes, std::string_
     std::map<std::string, std::string> members;
     archive_entry* entry = nullptr;
     for (std::size_t count = 0;; ++count) {
-        if (count > kMaxMembers) fail(file_name, fmt::format("more than {} files in the archive", kMaxMembers));
+        if (count > kMaxMembers)
+            fail(file_name, fmt::format("more than {} files in the archive", kMaxMembers));
         const int state = archive_read_next_header(reader.get(), &entry);
         if (state == ARCHIVE_EOF) return members;
         if (state != ARCHIVE_OK && state != ARCHIVE_WARN) {
@@ -86,7 +88,8 @@ std::map<std::string, std::string> read_zip(std::string_view bytes, std::string_
         }
         const char* path = archive_entry_pathname(entry);
         const std::string_view full = path == nullptr ? std::string_view{} : std::string_view{path};
-        const std::string name{full.substr(full.rfind('/') == std::string_view::npos ? 0 : full.rfind('/') + 1)};
+        const std::string name{
+            full.substr(full.rfind('/') == std::string_view::npos ? 0 : full.rfind('/') + 1)};
         if (std::find(wanted.begin(), wanted.end(), name) == wanted.end() || members.contains(name)) continue;
         members.emplace(name, read_member(reader.get(), file_name, name, cap));
     }

@@ -15,12 +15,14 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-const Texts kNumbers = {"1", "2", "3", "12", "12a", "1297+", "+", "-", "41/61", "B.36", "ü7", "99999999999999999999"};
+const Texts kNumbers = {"1", "2", "3",     "12",   "12a", "1297+",
+                        "+", "-", "41/61", "B.36", "ü7",  "99999999999999999999"};
 const Texts kWildNumbers = {"B. 36", "101/1C or 111/1C", "=1+1", "@x", "'5", "Σ8", "a\"b", "<1>&2", "T;U"};
 const Texts kCommaNumbers = {"7,8"};
 const Texts kPlainTexts = {"", "floor", "Küche", "a - dash", "=1+1 is two", "'s"};
-const Texts kWildTexts = {"a \"b\"",       "semi; colon, comma", "two\nlines", "Ω ≥ 5", "<&> ' \" &amp;",
-                          "'=not a formula", "-5", "+x", "@home", "tab\there", "back\\slash\\"};
+const Texts kWildTexts = {"a \"b\"",        "semi; colon, comma", "two\nlines",   "Ω ≥ 5",
+                          "<&> ' \" &amp;", "'=not a formula",    "-5",           "+x",
+                          "@home",          "tab\there",          "back\\slash\\"};
 
 /// Draws everything from rapidcheck, so that failures shrink.
 class Drawer {
@@ -45,25 +47,36 @@ class Drawer {
     [[nodiscard]] static std::size_t below(std::size_t limit) {
         return *rc::gen::inRange<std::size_t>(0, limit);
     }
-    [[nodiscard]] static bool chance(std::size_t one_in) { return below(one_in) == 0; }
-    [[nodiscard]] static const std::string& text(const Texts& pool) { return pool[below(pool.size())]; }
-    [[nodiscard]] static std::string wild() { return chance(3) ? text(kWildTexts) : text(kPlainTexts); }
-    [[nodiscard]] std::string title() const { return shape_.plain_titles ? text(kPlainTexts) : wild(); }
-    [[nodiscard]] static std::string day() { return chance(2) ? "" : "2025-06-0" + std::to_string(1 + below(9)); }
 
-    template <class Id>
+    [[nodiscard]] static bool chance(std::size_t one_in) { return below(one_in) == 0; }
+
+    [[nodiscard]] static const std::string& text(const Texts& pool) { return pool[below(pool.size())]; }
+
+    [[nodiscard]] static std::string wild() { return chance(3) ? text(kWildTexts) : text(kPlainTexts); }
+
+    [[nodiscard]] std::string title() const { return shape_.plain_titles ? text(kPlainTexts) : wild(); }
+
+    [[nodiscard]] static std::string day() {
+        return chance(2) ? "" : "2025-06-0" + std::to_string(1 + below(9));
+    }
+
+    template<class Id>
     [[nodiscard]] Id id() {
         return Id{uuids_.next()};
     }
+
     [[nodiscard]] static std::optional<double> number() {
         if (chance(2)) return std::nullopt;
         return static_cast<double>(*rc::gen::inRange(-99999, 99999)) / 1000.0;
     }
+
     [[nodiscard]] static std::optional<std::int64_t> year() {
         if (chance(2)) return std::nullopt;
         return *rc::gen::inRange(-4000, 2000);
     }
+
     [[nodiscard]] model::UnitId some_unit() const { return record_.units[below(record_.units.size())].id; }
+
     [[nodiscard]] model::UnitId maybe_unit() const { return chance(4) ? model::UnitId{} : some_unit(); }
 
     std::string unit_number() const {
@@ -74,18 +87,28 @@ class Drawer {
 
     void draw_areas() {
         for (std::size_t i = 0, n = below(3); i < n; ++i) {
-            model::Area area{id<model::AreaId>(), i == 0 ? "A" : "Süd", title(), model::DigMethod::Mixed, "", "100"};
+            model::Area area{
+                id<model::AreaId>(), i == 0 ? "A" : "Süd", title(), model::DigMethod::Mixed, "", "100"};
             record_.areas.push_back(std::move(area));
         }
     }
 
     void draw_chronology() {
         for (std::size_t i = 0, n = below(3); i < n; ++i) {
-            record_.periods.push_back({id<model::PeriodId>(), "P" + std::to_string(i), wild(), wild(), year(), year(), {}});
+            record_.periods.push_back(
+                {id<model::PeriodId>(), "P" + std::to_string(i), wild(), wild(), year(), year(), {}});
         }
         for (std::size_t i = 0, n = below(4); i < n; ++i) {
-            model::Phase phase{id<model::PhaseId>(), i == 3 ? "I" : std::string(i + 1, 'I'), wild(), wild(), {}, year(), year(), 7};
-            if (!record_.periods.empty() && chance(2)) phase.period = record_.periods[below(record_.periods.size())].id;
+            model::Phase phase{id<model::PhaseId>(),
+                               i == 3 ? "I" : std::string(i + 1, 'I'),
+                               wild(),
+                               wild(),
+                               {},
+                               year(),
+                               year(),
+                               7};
+            if (!record_.periods.empty() && chance(2))
+                phase.period = record_.periods[below(record_.periods.size())].id;
             record_.phases.push_back(std::move(phase));
         }
     }
@@ -183,8 +206,9 @@ class Drawer {
 
     void draw_measured() {
         for (std::size_t i = 0, n = below(3); i < n; ++i) {
-            record_.levels.push_back({id<model::LevelId>(), some_unit(), number(), number(), number().value_or(0.0),
-                                      static_cast<model::LevelRole>(below(4)), wild()});
+            record_.levels.push_back({id<model::LevelId>(), some_unit(), number(), number(),
+                                      number().value_or(0.0), static_cast<model::LevelRole>(below(4)),
+                                      wild()});
             model::Find find;
             find.id = id<model::FindId>();
             find.number = "F" + std::to_string(i);
@@ -202,8 +226,8 @@ class Drawer {
             sample.volume = number();
             sample.type = wild();
             record_.samples.push_back(std::move(sample));
-            record_.documents.push_back(
-                {id<model::DocumentId>(), "D" + std::to_string(i), "photo", wild(), maybe_unit(), wild(), day(), wild()});
+            record_.documents.push_back({id<model::DocumentId>(), "D" + std::to_string(i), "photo", wild(),
+                                         maybe_unit(), wild(), day(), wild()});
             model::Dating dating;
             dating.id = id<model::DatingId>();
             dating.label = "OxA-" + std::to_string(i);

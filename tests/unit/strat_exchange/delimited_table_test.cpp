@@ -50,12 +50,21 @@ TEST_CASE("A quote that never closes is a character, and is reported with its li
 }
 
 TEST_CASE("Windows-1252, UTF-16 and UTF-8 with its mark become the same text") {
-    CHECK(parse("unit\nGr\xE4" "ber\n").rows[1].cells == Cells{"Gräber"});
-    CHECK(parse("unit\nGr\xE4" "ber\n").encoding == "windows-1252");
+    CHECK(parse("unit\nGr\xE4"
+                "ber\n")
+              .rows[1]
+              .cells == Cells{"Gräber"});
+    CHECK(parse("unit\nGr\xE4"
+                "ber\n")
+              .encoding == "windows-1252");
     CHECK(parse("\xEF\xBB\xBFunit\nGräber\n").rows[0].cells == Cells{"unit"});
-    const std::string little("\xFF\xFE" "a\0,\0\xE4\0\n\0", 10);
+    const std::string little("\xFF\xFE"
+                             "a\0,\0\xE4\0\n\0",
+                             10);
     CHECK(parse(little).rows[0].cells == Cells{"a", "ä"});
-    const std::string big("\xFE\xFF" "\0a\0,\0\xE4\0\n\xD8", 11);
+    const std::string big("\xFE\xFF"
+                          "\0a\0,\0\xE4\0\n\xD8",
+                          11);
     CHECK(parse(big).rows[0].cells == Cells{"a", "ä"});
     CHECK(parse(big).notes.size() == 1);
 }
@@ -99,5 +108,6 @@ TEST_CASE("Written rows are read back, and no cell is a formula to a spreadsheet
     const std::string line = writer.write(cells);
     CHECK(line == "'=1+2;''=x;-5;'+;\"a;b\";\"c \"\"d\"\"\";\" e \";\"f\ng\";;'s\r\n");
     const DelimitedTable table = parse_table(line, "t", {';', {}});
-    CHECK(table.rows[0].cells == Cells{"'=1+2", "''=x", "-5", "'+", "a;b", "c \"d\"", " e ", "f\ng", "", "'s"});
+    CHECK(table.rows[0].cells ==
+          Cells{"'=1+2", "''=x", "-5", "'+", "a;b", "c \"d\"", " e ", "f\ng", "", "'s"});
 }
