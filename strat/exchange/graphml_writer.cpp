@@ -143,7 +143,7 @@ class GraphmlDocument {
             const auto group = group_of.find(record_.units[i].id);
             (group == group_of.end() ? loose_units_ : members_[group->second]).push_back(i);
         }
-        add_loss(lost_, further, "units are in more than one group; only the first is written");
+        add_loss(lost_, further, "further groups of a unit, of which only the first is written");
     }
 
     bool leads_back(std::size_t group, const std::unordered_map<model::GroupId, std::size_t>& place) const {

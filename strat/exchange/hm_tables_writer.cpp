@@ -87,8 +87,8 @@ Table events(const RecordNames& names, std::vector<std::string>& lost) {
                                             : std::string{"direct"};
         table.add({std::to_string(++theta), names.unit(dating.unit), dating.label, association});
     }
-    add_loss(lost, left_out, "datings are no radiocarbon dates of a unit and are not written");
-    add_loss(lost, theta, "radiocarbon dates are written without their years");
+    add_loss(lost, left_out, "datings not written, as they are no radiocarbon dates of a unit");
+    add_loss(lost, theta, "radiocarbon dates written without their years");
     return table;
 }
 
@@ -125,7 +125,7 @@ Written write_hm_tables(const model::Record& record, const WriteOptions& /*optio
     std::size_t nested = 0;
     for (const model::Phase& phase : record.phases)
         nested += phase.period.is_nil() ? 0U : 1U;
-    add_loss(written.lost, nested, "phases belong to a period, which is written only with their units");
+    add_loss(written.lost, nested, "phases whose period is written only with their units");
     auto [observations, inferences] = relations(names);
     const std::array tables = {
         std::pair{std::string{"contexts"}, contexts(names)},

@@ -159,9 +159,9 @@ HmcDocument document_of(const RecordNames& names, std::vector<std::string>& lost
             matrix.rank_from_top(matrix.component_of(matrix.node_of(static_cast<UnitIndex>(i)))));
     }
     document.edges = edges_of(names, ids);
-    add_loss(lost, torn, "units have another period than their phase, which is not written");
+    add_loss(lost, torn, "units without their period, which is not that of their phase");
     add_loss(lost, ids.renamed(),
-             "phases and periods are renamed, as HMC knows one series of numbers for all");
+             "phases and periods renamed, as HMC knows one series of numbers for all");
     return document;
 }
 
@@ -290,7 +290,7 @@ Written write_hmc_csv(const model::Record& record, const WriteOptions& /*options
     written.lost = losses(record, hmc_carries());
     const RecordNames names(record);
     const HmcDocument document = document_of(names, written.lost);
-    add_loss(written.lost, HmcIds(names).with_commas(), "numbers have a comma and will be read as lists");
+    add_loss(written.lost, HmcIds(names).with_commas(), "numbers with a comma, which will be read as lists");
     const RowWriter plain{';', "\r\n", false, false};
     const RowWriter quoted{';', "\r\n", true, false};
     std::string out = plain.write(std::array<std::string, 4>{"HEADER", "NAME", "DESCRIPTION", "SITE"});

@@ -53,12 +53,12 @@ class LstDocument {
             write_group(out, group);
         std::size_t letters = 0;
         std::string bytes = text::to_latin1(out, &letters);
-        add_loss(lost_, letters, "letters are not in Latin-1 and are written as question marks");
+        add_loss(lost_, letters, "letters beyond Latin-1, written as question marks");
         add_loss(lost_, changed_,
-                 "names are written with _ for blanks, commas, colons and letters beyond Latin-1");
-        add_loss(lost_, long_, "names are longer than the 8 letters that the BASP programs read");
-        add_loss(lost_, shortened_, "titles are shortened to 40 letters in one line");
-        add_loss(lost_, further_groups_, "units are in more than one group; only the first is written");
+                 "names with _ for blanks, commas, colons and letters beyond Latin-1");
+        add_loss(lost_, long_, "names longer than the 8 letters that the BASP programs read");
+        add_loss(lost_, shortened_, "titles shortened to 40 letters in one line");
+        add_loss(lost_, further_groups_, "further groups of a unit, of which only the first is written");
         return bytes;
     }
 

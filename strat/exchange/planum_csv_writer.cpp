@@ -129,8 +129,8 @@ class CsvDocument {
             numeric_base += base != unit.details.end() && text::parse_double(base->second) ? 1U : 0U;
             table.add(std::move(row));
         }
-        add_loss(lost_, numeric_base, "fields `base` are numbers and will be read as heights");
-        add_loss(lost_, far_parent, "parents without an area will be read as of their unit's area");
+        add_loss(lost_, numeric_base, "fields `base` that are numbers and will be read as heights");
+        add_loss(lost_, far_parent, "parents without an area, which will be read as of their unit's area");
         return table;
     }
 
@@ -152,9 +152,9 @@ class CsvDocument {
             }
         }
         add_loss(lost_, far_others_,
-                 "relations cross from an area to a unit without one, which will be read as of it");
+                 "relations from an area to a unit without one, which will be read as of it");
         add_loss(lost_, lists_,
-                 "units without a sheet have a comma or semicolon in their number and will be read as lists");
+                 "units without a sheet whose number has a comma or semicolon and will be read as a list");
         return table;
     }
 

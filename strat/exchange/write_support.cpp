@@ -29,31 +29,31 @@ void add_unit_losses(const model::Record& record, const Carries& carries, std::v
     const auto add = [&](bool carried, std::string_view sentence, auto has) {
         if (!carried) add_loss(lost, count(units, has), sentence);
     };
-    add(false, "units keep a kind that the format does not know", [&](const StratigraphicUnit& u) {
+    add(false, "units of a kind that the format does not know", [&](const StratigraphicUnit& u) {
         const bool plain = u.kind == model::UnitKind::Unknown && u.form == model::UnitForm::None;
         return !plain && (carries.kind == nullptr || !carries.kind(u));
     });
-    add(carries.all_areas, "units have an area, which is written only where a number is not unique",
+    add(carries.all_areas, "units whose area is written only where a number is not unique",
         [](const StratigraphicUnit& u) { return !u.area.is_nil(); });
-    add(carries.status, "units have a status, which is not written",
+    add(carries.status, "units without their status",
         [](const StratigraphicUnit& u) { return u.status != model::UnitStatus::Open; });
-    add(carries.mentioned, "units without a sheet are written like those with one",
+    add(carries.mentioned, "units without a sheet, written like those with one",
         [](const StratigraphicUnit& u) { return u.origin == model::UnitOrigin::Mentioned; });
-    add(carries.title, "titles are not written", [](const StratigraphicUnit& u) { return !u.title.empty(); });
-    add(carries.description, "descriptions are not written",
+    add(carries.title, "titles not written", [](const StratigraphicUnit& u) { return !u.title.empty(); });
+    add(carries.description, "descriptions not written",
         [](const StratigraphicUnit& u) { return !u.description.empty(); });
-    add(carries.interpretation, "interpretations are not written",
+    add(carries.interpretation, "interpretations not written",
         [](const StratigraphicUnit& u) { return !u.interpretation.empty(); });
-    add(carries.excavation, "units have days, a recorder or a parent, which are not written",
+    add(carries.excavation, "units without their days, recorder or parent",
         [](const StratigraphicUnit& u) {
             return !u.excavated_from.empty() || !u.excavated_on.empty() || !u.recorded_by.empty() ||
                    !u.recorded_on.empty() || !u.parent.is_nil();
         });
-    add(carries.details, "units have further fields, which are not written",
+    add(carries.details, "units without their further fields",
         [](const StratigraphicUnit& u) { return !u.details.empty(); });
-    add(carries.phases, "units have a phase, which is not written",
+    add(carries.phases, "units without their phase",
         [](const StratigraphicUnit& u) { return !u.phase.is_nil(); });
-    add(carries.periods, "units have a period, which is not written",
+    add(carries.periods, "units without their period",
         [](const StratigraphicUnit& u) { return !u.period.is_nil(); });
 }
 
@@ -65,30 +65,30 @@ void add_relation_losses(const model::Record& record, const Carries& carries,
     if (!carries.contact_kinds) {
         add_loss(lost,
                  of_kind(RelationKind::Cuts) + of_kind(RelationKind::Fills) + of_kind(RelationKind::Abuts),
-                 "relations cuts, fills and abuts are written as above");
+                 "relations cuts, fills and abuts written as above");
     }
-    if (!carries.later) add_loss(lost, of_kind(RelationKind::Later), "relations later are written as above");
-    if (!carries.same_as) add_loss(lost, of_kind(RelationKind::SameAs), "relations same_as are not written");
+    if (!carries.later) add_loss(lost, of_kind(RelationKind::Later), "relations later written as above");
+    if (!carries.same_as) add_loss(lost, of_kind(RelationKind::SameAs), "relations same_as not written");
     if (!carries.contemporary) {
-        add_loss(lost, of_kind(RelationKind::Contemporary), "relations contemporary are not written");
+        add_loss(lost, of_kind(RelationKind::Contemporary), "relations contemporary not written");
     }
     if (!carries.bonds) {
         add_loss(lost, of_kind(RelationKind::BondsWith),
-                 carries.contemporary ? "relations bonds_with are written as contemporary"
-                                      : "relations bonds_with are not written");
+                 carries.contemporary ? "relations bonds_with written as contemporary"
+                                      : "relations bonds_with not written");
     }
-    if (!carries.borders) add_loss(lost, of_kind(RelationKind::Borders), "relations borders are not written");
+    if (!carries.borders) add_loss(lost, of_kind(RelationKind::Borders), "relations borders not written");
     if (!carries.certainty) {
         add_loss(
             lost,
             count(record.relations, [](const auto& r) { return r.certainty != model::Certainty::Certain; }),
-            "relations are uncertain, which is not written");
+            "relations not marked as uncertain");
         add_loss(lost, count(record.relations, [](const auto& r) { return r.correlation; }),
-                 "relations same_as are correlations, which is not written");
+                 "relations same_as not marked as correlations");
     }
     if (!carries.statements) {
         add_loss(lost, count(record.statements, [](const auto& s) { return !s.person.empty(); }),
-                 "statements have a person, who is not written");
+                 "statements without the person who made them");
     }
 }
 
@@ -157,7 +157,7 @@ std::string UniqueNames::take(std::string wanted) {
 }
 
 void add_loss(std::vector<std::string>& lost, std::size_t count, std::string_view sentence) {
-    if (count > 0) lost.push_back(fmt::format("{} {}", count, sentence));
+    if (count > 0) lost.push_back(fmt::format("{}: {}", sentence, count));
 }
 
 std::vector<std::string> losses(const model::Record& record, const Carries& carries) {
@@ -167,19 +167,19 @@ std::vector<std::string> losses(const model::Record& record, const Carries& carr
     if (!carries.chronology_years) {
         const auto dated = [](const auto& c) { return c.from || c.to || c.rank; };
         add_loss(lost, count(record.phases, dated) + count(record.periods, dated),
-                 "phases and periods have years or a rank, which are not written");
+                 "phases and periods whose years or rank are not written");
     }
-    if (!carries.groups) add_loss(lost, record.groups.size(), "groups of units are not written");
-    if (!carries.datings) add_loss(lost, record.datings.size(), "datings are not written");
-    if (!carries.levels) add_loss(lost, record.levels.size(), "levels are not written");
-    if (!carries.finds) add_loss(lost, record.finds.size(), "finds are not written");
-    if (!carries.samples) add_loss(lost, record.samples.size(), "samples are not written");
-    if (!carries.documents) add_loss(lost, record.documents.size(), "documents are not written");
+    if (!carries.groups) add_loss(lost, record.groups.size(), "groups of units not written");
+    if (!carries.datings) add_loss(lost, record.datings.size(), "datings not written");
+    if (!carries.levels) add_loss(lost, record.levels.size(), "levels not written");
+    if (!carries.finds) add_loss(lost, record.finds.size(), "finds not written");
+    if (!carries.samples) add_loss(lost, record.samples.size(), "samples not written");
+    if (!carries.documents) add_loss(lost, record.documents.size(), "documents not written");
     add_loss(lost, record.surfaces.size() + record.sections.size() + record.regions.size(),
-             "surfaces, sections and outlines are not written");
-    add_loss(lost, record.scans.size(), "scans are not written");
+             "surfaces, sections and outlines not written");
+    add_loss(lost, record.scans.size(), "scans not written");
     add_loss(lost, record.decisions.size() + record.interpretations.size(),
-             "decisions and interpretations are not written");
+             "decisions and interpretations not written");
     return lost;
 }
 

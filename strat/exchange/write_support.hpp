@@ -93,7 +93,7 @@ struct Carries {
 /// The sentences for everything that the record has and the format has not.
 [[nodiscard]] std::vector<std::string> losses(const model::Record& record, const Carries& carries);
 
-/// `3 levels are not written`; nothing for none.
+/// `levels not written: 3`; nothing for none.
 void add_loss(std::vector<std::string>& lost, std::size_t count, std::string_view sentence);
 
 } // namespace planum::strat
