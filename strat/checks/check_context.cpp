@@ -97,8 +97,12 @@ void place_levels(CheckContext& c) {
     for (std::size_t i = 0; i < levels.size(); ++i) {
         if (unit_of[i] != model::kNoUnit) c.levels_by_unit[next[unit_of[i]]++] = static_cast<std::uint32_t>(i);
     }
+    // Heights are written in whole centimetres, so a difference of exactly the tolerance occurs and counts; the
+    // half millimetre is for decimal fractions that binary numbers only come near.
+    constexpr double kRounding = 0.0005;
     for (Heights& h : c.heights) {
-        h.contradictory = h.lowest_base && h.highest_top && *h.lowest_base > *h.highest_top + c.record.settings.tolerance;
+        h.contradictory = h.lowest_base && h.highest_top &&
+                          *h.lowest_base > *h.highest_top + c.record.settings.tolerance - kRounding;
     }
 }
 

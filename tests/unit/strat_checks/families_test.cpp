@@ -45,6 +45,15 @@ TEST_CASE("Bonded units that a path orders are an error, contemporary ones a war
     CHECK(said[1].severity == model::Severity::Warning);
 }
 
+TEST_CASE("A base that lies above the top by exactly the tolerance is a contradiction") {
+    SmallRecord r;
+    r.covers("1", "2").level("1", LevelRole::Top, 92.75).level("1", LevelRole::Base, 92.77);
+    CHECK(r.said("level-contradiction").size() == 1);
+    SmallRecord within;
+    within.covers("1", "2").level("1", LevelRole::Top, 92.75).level("1", LevelRole::Base, 92.76);
+    CHECK(within.said("level-contradiction").empty());
+}
+
 TEST_CASE("A base above the top is a contradiction and judges no relation") {
     SmallRecord r;
     r.covers("1", "2").level("1", LevelRole::Top, 9.0).level("1", LevelRole::Base, 9.5);
