@@ -24,6 +24,11 @@ struct Carried {
     bool own = false;
 };
 
+// A range of years that somebody wrote down for the unit itself.
+bool is_range(const model::Dating& d) {
+    return d.kind == DatingKind::Typed && d.from && d.to && *d.from < *d.to;
+}
+
 // The strongest few bounds of a node, latest first. More than one, because a bound that has met its
 // contradiction goes no further, and the next one must then be known.
 constexpr std::size_t kCarried = 4;
@@ -95,6 +100,16 @@ class DateCheck {
     std::set<std::pair<UnitIndex, UnitIndex>> reported_; // later, earlier
     std::vector<CarriedBounds> carried_;                 // by node
 
+    // "Not later than" of the one lies before "not earlier than" of the other. Where one range ends in the
+    // year in which the other begins they follow each other: that excludes it too.
+    [[nodiscard]] bool excluded(UnitIndex later, UnitIndex earlier) const {
+        const DateBounds& above = bounds_[later];
+        const DateBounds& below = bounds_[earlier];
+        if (!above.to || !below.from || *above.to > *below.from) return false;
+        if (*above.to < *below.from) return true;
+        return is_range(c_.record.datings[above.to_dating]) && is_range(c_.record.datings[below.from_dating]);
+    }
+
     model::Diagnostic described(UnitIndex later, UnitIndex earlier, const std::string& relation) {
         const DateBounds& above = bounds_[later];
         const DateBounds& below = bounds_[earlier];
@@ -131,8 +146,7 @@ class DateCheck {
             if (!c_.states_order(r)) continue;
             const UnitIndex later = c_.subject[r];
             const UnitIndex earlier = c_.object[r];
-            if (later == earlier || !bounds_[later].to || !bounds_[earlier].from) continue;
-            if (*bounds_[later].to >= *bounds_[earlier].from) continue;
+            if (later == earlier || !excluded(later, earlier)) continue;
             if (!reported_.emplace(later, earlier).second) continue;
             auto d = described(later, earlier, c_.sentence(r));
             d.relations = {c_.named(r)};
@@ -166,7 +180,7 @@ class DateCheck {
             const Carried& bound = from_below.bounds[i];
             bool met = false;
             for (const UnitIndex u : m.members(node)) {
-                if (!bounds_[u].to || *bounds_[u].to >= bound.from) continue;
+                if (!excluded(u, bound.origin)) continue;
                 met = true;
                 add_transitive(u, node, bound);
             }

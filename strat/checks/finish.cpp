@@ -53,17 +53,24 @@ model::Diagnostic bundle(const CheckContext& c, std::vector<model::Diagnostic> a
     }
     const std::size_t shown = std::min<std::size_t>(names.size(), 5);
     names.resize(shown);
-    const std::string what = one.code == "isolated-unit" ? "units stand in no order to any other unit" : one.code;
+    std::string what = one.code;
+    if (one.code == "isolated-unit") what = "units stand in no order to any other unit";
+    if (one.code == "dangling-unit") what = "units are named in relations but have no sheet of their own";
     one.message = fmt::format("{} {}, among them {}", alike.size(), what, list_names(names, shown));
     one.evidence["count"] = static_cast<std::int64_t>(alike.size());
     return one;
+}
+
+// Infos, and the one warning that a list without sheets would repeat for half of its units.
+bool may_be_bundled(const model::Diagnostic& d) {
+    return d.severity == model::Severity::Info || d.code == "dangling-unit";
 }
 
 void bundle_infos(const CheckContext& c, Findings& findings) {
     std::map<std::string, std::vector<model::Diagnostic>> infos;
     Findings rest;
     for (model::Diagnostic& d : findings) {
-        if (d.severity == model::Severity::Info) {
+        if (may_be_bundled(d)) {
             infos[d.code].push_back(std::move(d));
         } else {
             rest.push_back(std::move(d));
@@ -83,7 +90,7 @@ void bundle_infos(const CheckContext& c, Findings& findings) {
 
 std::string diagnostic_id(const CheckContext& context, const model::Diagnostic& d) {
     // One line for many stays the same problem while the many come and go.
-    if (d.severity == model::Severity::Info && d.evidence.contains("count")) return short_hash(d.code, {"all"});
+    if (may_be_bundled(d) && d.evidence.contains("count")) return short_hash(d.code, {"all"});
     std::vector<std::string> parts;
     if (!d.units.empty()) {
         parts = named_parts(context, d);

@@ -5,7 +5,7 @@
 
 namespace planum::strat {
 
-/// Makes more than `alike_become_one` infos of one code one, sets ids and evidence hashes, sorts: errors
+/// Makes more than `alike_become_one` infos (or dangling units) of one code one, sets ids and evidence hashes, sorts: errors
 /// first, then by code, then by the units in record order.
 void finish(const CheckContext& context, Findings& findings);
 

@@ -16,7 +16,7 @@ bool is_digit(char c) {
 } // namespace
 
 bool one_slip_apart(std::string_view a, std::string_view b) noexcept {
-    if (a.size() != b.size()) return false;
+    if (a.size() != b.size() || a.size() < 2) return false; // every digit is one slip from every other
     std::size_t differ = 0;
     std::size_t first = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -75,7 +75,8 @@ std::optional<RelationWeights::Slip> RelationWeights::reciprocal_slip(RelationIn
         const std::string& a = c_.unit(written).number;
         const std::string& b = c_.unit(meant).number;
         if (!fits_as_meant(relation, meant, written) || (a != b && !one_slip_apart(a, b))) continue;
-        Slip slip{written, meant, true, 3.0, {}};
+        // Among two-digit numbers a chance neighbour is a slip away all too often.
+        Slip slip{written, meant, true, a.size() > 2 ? 3.0 : 1.5, {}};
         slip.why = fmt::format("the sheet of {} states this relation with {}, whose own sheet names {} instead",
                                c_.name(meant), c_.name(fixed), c_.name(written));
         return slip;

@@ -49,6 +49,14 @@ struct PhaseComparer::Span {
     }
 };
 
+// Whether `second` begins when `first` is over; ranges may share the year between them.
+template <class Span>
+bool follows(const Span& first, const Span& second) {
+    if (!first.to() || !second.from() || *first.to() > *second.from()) return false;
+    if (*first.to() < *second.from()) return true;
+    return first.from() && *first.from() < *first.to() && second.to() && *second.from() < *second.to();
+}
+
 PhaseComparer::PhaseComparer(const model::Record& record) : record_(&record) {
     for (std::uint32_t i = 0; i < record.phases.size(); ++i) phases_.emplace(record.phases[i].id, i);
     for (std::uint32_t i = 0; i < record.periods.size(); ++i) periods_.emplace(record.periods[i].id, i);
@@ -78,10 +86,10 @@ PhaseComparison PhaseComparer::compare(UnitIndex a, UnitIndex b) const {
         return result;
     }
     // Years first: numbers of phases restart in each period and run either way.
-    if (sa.to() && sb.from() && *sa.to() < *sb.from()) {
+    if (follows(sa, sb)) {
         result.order = PhaseOrder::Earlier;
         result.by_years = true;
-    } else if (sb.to() && sa.from() && *sb.to() < *sa.from()) {
+    } else if (follows(sb, sa)) {
         result.order = PhaseOrder::Later;
         result.by_years = true;
     } else if (sa.period != nullptr && sb.period != nullptr && sa.period != sb.period) {

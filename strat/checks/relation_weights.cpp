@@ -15,12 +15,13 @@ namespace {
 using model::RelationKind;
 using model::UnitKind;
 
-// One relation in twenty-five of a real record is wrong in some way; most of those never meet a cycle.
-constexpr double kPrior = 3.2;
+// About one relation in a hundred and fifty is wrong in a record like Al-Khutm, fewer in most; this is what makes few doubts dearer than
+// many cheap ones.
+constexpr double kPrior = 5.0;
 // No single observation decides: at most e³ = 20 to one.
 constexpr double kMost = 3.0;
-// The same slip on both sheets is rare but happens (one sheet is copied from the other).
-constexpr double kBothWrong = 0.05;
+// The same mistake on both sheets happens, for the second is often filled in from the first.
+constexpr double kBothWrong = 0.15;
 
 constexpr int kAsExpected = 0;
 constexpr int kUndecided = 1;
@@ -232,8 +233,8 @@ std::uint32_t RelationWeights::source_of(RelationIndex relation) const {
 void RelationWeights::gather_statements(RelationIndex relation, Gathered& g) const {
     if (!has_sheets(relation)) return;
     const Sides& sides = sides_[source_of(relation)];
-    // One of each is assumed before counting, so that a short record says little.
-    const double both = (sides.both + 1.0) / (sides.both + sides.one + 2.0);
+    // Three of each are assumed before counting, so that a short record says little.
+    const double both = (sides.both + 3.0) / (sides.both + sides.one + 6.0);
     if (c_.stated[relation].both()) {
         g.add(capped(-std::log(kBothWrong)), "both sheets state it");
     } else {
@@ -306,7 +307,7 @@ void RelationWeights::gather_fixed(RelationIndex relation, Gathered& g) const {
     if (const auto it = surfaces_.find(pair_key(u, v)); it != surfaces_.end()) {
         g.add(it->second, it->second > 0.0 ? "the recorded surfaces show it" : "the recorded surfaces show the opposite");
     }
-    if (reciprocal_slip(relation)) g.add(-2.5, "another sheet, one slip of the pen away, states what this one seems to mean");
+    if (const auto slip = reciprocal_slip(relation)) g.add(slip->fit > 2.0 ? -2.5 : -1.2, "another sheet, one slip of the pen away, states what this one seems to mean");
 }
 
 RelationWeights::Gathered RelationWeights::gather(RelationIndex relation) const {

@@ -113,7 +113,8 @@ class RelationWeights {
     std::unordered_map<std::uint64_t, double> surfaces_; ///< signed evidence of a pair
 };
 
-/// Whether two numbers differ by one digit exchanged, or by two neighbouring ones changed over.
+/// Whether two numbers differ by one digit exchanged, or by two neighbouring ones changed over; never
+/// for numbers of one digit.
 [[nodiscard]] bool one_slip_apart(std::string_view a, std::string_view b) noexcept;
 /// All texts one such slip away from the number.
 [[nodiscard]] std::vector<std::string> one_slip_away(std::string_view number);

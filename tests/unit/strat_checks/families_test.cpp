@@ -287,3 +287,12 @@ TEST_CASE("Every code that is said stands in the table") {
         CHECK(std::any_of(codes.begin(), codes.end(), [&](const strat::CheckCode& c) { return c.code == d.code; }));
     }
 }
+
+TEST_CASE("Ranges of years that share a year follow each other, single years do not exclude each other") {
+    SmallRecord ranges;
+    ranges.covers("1", "2").dating("1", model::DatingKind::Typed, -2200, -2000).dating("2", model::DatingKind::Typed, -2000, -1700);
+    CHECK(ranges.said("date-contradiction").size() == 1);
+    SmallRecord years;
+    years.covers("1", "2").dating("1", model::DatingKind::AnteQuem, -2000, -2000).dating("2", model::DatingKind::PostQuem, -2000, -2000);
+    CHECK(years.said("date-contradiction").empty());
+}
