@@ -98,7 +98,8 @@ std::vector<TrenchContact> recorded_contacts(Random& random, const TrenchHistory
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const TrenchContact& c : history.contacts) {
         if (!pairs.emplace(c.later, c.earlier).second) continue; // one kind a pair
-        if (is_implied(c, history, below)) {
+        // What a fill fills stands on its sheet however many fills lie between.
+        if (c.kind != model::RelationKind::Fills && is_implied(c, history, below)) {
             implied.push_back(c);
         } else if (!random.chance(0.05)) {
             recorded.push_back(c);

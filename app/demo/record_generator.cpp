@@ -147,10 +147,15 @@ class Generator {
         const bool with_position = random_.chance(o_.positioned);
         const bool is_cut = source.kind == UnitKind::Cut;
         for (std::size_t i = 0; i < spots; ++i) {
-            const TrenchCell& cell = source.cells[random_.below(source.cells.size())];
+            // The staff goes to the deepest point of a cut first, elsewhere to wherever it stands best.
+            const TrenchCell& cell = is_cut && i == 0 ? deepest(source) : source.cells[random_.below(source.cells.size())];
             add_level(unit, cell, is_cut ? model::LevelRole::Cut : model::LevelRole::Top, offset_x, with_position);
             if (!is_cut && random_.chance(0.4)) add_level(unit, cell, model::LevelRole::Base, offset_x, with_position);
         }
+    }
+
+    static const TrenchCell& deepest(const TrenchUnit& unit) {
+        return *std::min_element(unit.cells.begin(), unit.cells.end(), [](const TrenchCell& a, const TrenchCell& b) { return a.top < b.top; });
     }
 
     void add_level(model::UnitId unit, const TrenchCell& cell, model::LevelRole role, double offset_x, bool with_position) {

@@ -171,12 +171,13 @@ class Trench {
         return cut;
     }
 
-    void fill(const std::vector<Spot>& spots, double thickness, UnitKind kind, UnitForm form) {
+    // Every fill touches the cut at its side, the lowest one all over.
+    void fill(std::uint32_t cut, const std::vector<Spot>& spots, double thickness, UnitKind kind, UnitForm form) {
         const std::uint32_t fill = add_unit(kind, form);
         for (const Spot& s : spots) {
             auto& stack = column(s.x, s.y);
-            const bool on_cut = units_[stack.back().unit].kind == UnitKind::Cut;
-            touch(fill, stack.back().unit, on_cut ? RelationKind::Fills : RelationKind::Covers);
+            touch(fill, cut, RelationKind::Fills);
+            if (stack.back().unit != cut) touch(fill, stack.back().unit, RelationKind::Covers);
             stack.push_back({fill, stack.back().top + thickness * (0.4 + 0.6 * s.depth)});
         }
     }
@@ -184,21 +185,21 @@ class Trench {
     void dig_pit() {
         const std::vector<Spot> spots = blob(0.7, 2.6);
         const double depth = random_.between(0.2, 0.9);
-        cut(spots, depth);
+        const std::uint32_t pit = cut(spots, depth);
         const std::size_t fills = 1 + (random_.chance(0.45) ? 1U : 0U) + (random_.chance(0.2) ? 1U : 0U);
         for (std::size_t i = 0; i < fills; ++i) {
-            fill(spots, depth / static_cast<double>(fills) * random_.between(0.8, 1.0), UnitKind::Deposit, UnitForm::Fill);
+            fill(pit, spots, depth / static_cast<double>(fills) * random_.between(0.8, 1.0), UnitKind::Deposit, UnitForm::Fill);
         }
     }
 
     void dig_grave() {
         const std::vector<Spot> spots = blob(1.0, 1.8);
         const double depth = random_.between(0.5, 0.9);
-        cut(spots, depth);
+        const std::uint32_t grave = cut(spots, depth);
         const std::vector<Spot> middle(spots.begin() + static_cast<std::ptrdiff_t>(spots.size() / 3),
                                        spots.begin() + static_cast<std::ptrdiff_t>(spots.size() - spots.size() / 3));
-        fill(middle.empty() ? spots : middle, 0.15, UnitKind::Skeleton, UnitForm::Burial);
-        fill(spots, depth - 0.1, UnitKind::Deposit, UnitForm::Fill);
+        fill(grave, middle.empty() ? spots : middle, 0.15, UnitKind::Skeleton, UnitForm::Burial);
+        fill(grave, spots, depth - 0.1, UnitKind::Deposit, UnitForm::Fill);
     }
 
     void build() {

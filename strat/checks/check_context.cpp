@@ -111,6 +111,7 @@ void place_levels(CheckContext& c) {
 CheckContext::CheckContext(const model::Record& r, const HarrisMatrix& m, const CheckOptions& o,
                            std::span<const model::SurfaceEvidence> s, Progress& p)
     : record(r), matrix(m), options(o), surfaces(s), progress(p), index(r) {
+    for (const model::Area& area : record.areas) area_names.emplace(area.id, area.name);
     place_relations(*this);
     count_statements(*this);
     place_levels(*this);
@@ -138,11 +139,8 @@ std::span<const std::uint32_t> CheckContext::levels_of(UnitIndex u) const noexce
 
 std::string CheckContext::full_name(UnitIndex u) const {
     const model::StratigraphicUnit& unit = record.units[u];
-    if (unit.area.is_nil()) return unit.number;
-    for (const model::Area& area : record.areas) {
-        if (area.id == unit.area) return area.name + "::" + unit.number;
-    }
-    return unit.number;
+    const auto it = area_names.find(unit.area);
+    return it == area_names.end() ? unit.number : fmt::format("{}::{}", it->second, unit.number);
 }
 
 std::string CheckContext::sentence(RelationIndex r) const {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "core/base/progress.hpp"
@@ -52,6 +53,7 @@ struct CheckContext {
     Progress& progress;
     model::RecordIndex index;
 
+    std::unordered_map<model::AreaId, std::string_view> area_names;
     std::vector<UnitIndex> subject;
     std::vector<UnitIndex> object;
     std::vector<StatedSides> stated;

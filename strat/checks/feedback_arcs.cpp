@@ -55,7 +55,7 @@ FeedbackSet solve_part(const Part& part, const FeedbackOptions& options) {
         return loops;
     }
     FeedbackSet heuristic = heuristic_feedback_arcs(part.nodes, part.arcs);
-    if (part.nodes > options.exact_up_to) return heuristic;
+    if (heuristic.exact || part.nodes > options.exact_up_to) return heuristic;
     FeedbackSet exact = exact_feedback_arcs(part.nodes, part.arcs, heuristic.weight);
     if (heuristic.weight <= exact.weight + 1e-9) {
         heuristic.exact = true;
@@ -200,6 +200,7 @@ FeedbackSet minimum_feedback_arcs(std::size_t nodes, std::span<const WeightedArc
         for (const std::uint32_t arc : solved.arcs) result.arcs.push_back(part.positions[arc]);
         result.weight += solved.weight;
         result.exact = result.exact && solved.exact;
+        result.at_least += solved.exact ? solved.weight : solved.at_least;
     }
     std::sort(result.arcs.begin(), result.arcs.end());
     return result;

@@ -21,7 +21,8 @@ struct WeightedArc {
 struct FeedbackSet {
     std::vector<std::uint32_t> arcs; ///< positions, ascending
     double weight = 0.0;
-    bool exact = true; ///< no cheaper set exists
+    bool exact = true;     ///< no cheaper set exists
+    double at_least = 0.0; ///< proven: no set weighs less than this
 
     friend bool operator==(const FeedbackSet&, const FeedbackSet&) = default;
 };

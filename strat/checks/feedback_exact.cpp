@@ -121,6 +121,15 @@ class SubsetProgramme {
         : graph_(graph), nodes_(std::move(nodes)), low_bits_(nodes_.size() / 2) {
         low_ = sums(0, low_bits_);
         high_ = sums(low_bits_, nodes_.size());
+        above_.assign(nodes_.size(), 0);
+        below_.assign(nodes_.size(), 0);
+        for (std::size_t v = 0; v < nodes_.size(); ++v) {
+            for (std::size_t x = 0; x < nodes_.size(); ++x) {
+                if (graph_.cell(nodes_[v], nodes_[x]).arcs.empty()) continue;
+                below_[v] |= std::size_t{1} << x;
+                above_[x] |= std::size_t{1} << v;
+            }
+        }
     }
 
     /// Arcs that run backwards in a best order; empty when none is cheaper than `bound`.
@@ -132,11 +141,12 @@ class SubsetProgramme {
         best[0] = 0.0;
         for (std::size_t set = 0; set < all; ++set) {
             if (best[set] > bound) continue;
+            const std::size_t next = worth_trying(all & ~set);
             const double* low = &low_[(set & ((std::size_t{1} << low_bits_) - 1)) * n];
             const double* high = &high_[(set >> low_bits_) * n];
             for (std::size_t v = 0; v < n; ++v) {
                 const std::size_t bit = std::size_t{1} << v;
-                if ((set & bit) != 0) continue;
+                if ((next & bit) == 0) continue;
                 const double weight = best[set] + low[v] + high[v];
                 if (weight < best[set | bit]) {
                     best[set | bit] = weight;
@@ -154,6 +164,20 @@ class SubsetProgramme {
     std::size_t low_bits_;
     std::vector<double> low_; // [subset of the low half][v]: weight of arcs from v into the subset
     std::vector<double> high_;
+    std::vector<std::size_t> above_; // nodes with an arc into v, as bits
+    std::vector<std::size_t> below_;
+
+    // Which nodes may come next in a best order. One with nothing above it in the rest can come at once, for
+    // it costs the same wherever it stands; one with nothing below it in the rest can wait.
+    [[nodiscard]] std::size_t worth_trying(std::size_t rest) const {
+        std::size_t next = 0;
+        for (std::size_t left = rest; left != 0; left &= left - 1) {
+            const auto v = static_cast<std::size_t>(__builtin_ctzll(left));
+            if ((above_[v] & rest) == 0) return left & (~left + 1);
+            if ((below_[v] & rest) != 0) next |= left & (~left + 1);
+        }
+        return next;
+    }
 
     [[nodiscard]] std::vector<double> sums(std::size_t first, std::size_t last) {
         const std::size_t n = nodes_.size();

@@ -47,8 +47,12 @@ class LocalRatio {
         return std::move(removed_);
     }
 
+    /// What all cycles met have paid; no feedback set weighs less, since it must pay for each of them.
+    [[nodiscard]] double paid() const { return paid_; }
+
   private:
     const Graph& g_;
+    double paid_ = 0.0;
     bool backwards_;
     std::size_t first_root_;
     std::vector<char> removed_;
@@ -97,6 +101,7 @@ class LocalRatio {
     void pay(std::uint32_t arc, std::size_t bottom) {
         double least = residual_[arc];
         for (std::size_t i = bottom + 1; i < stack_.size(); ++i) least = std::min(least, residual_[entered_by_[i]]);
+        paid_ += least;
         residual_[arc] -= least;
         if (residual_[arc] <= kTiny) removed_[arc] = 1;
         std::size_t keep = stack_.size();
@@ -355,10 +360,14 @@ FeedbackSet heuristic_feedback_arcs(std::size_t nodes, std::span<const WeightedA
     const Graph g(nodes, arcs);
     // Small groups can afford to start from many roots; the largest only from two.
     const std::size_t starts = nodes <= 400 ? 12 : 2;
+    FeedbackSet result;
+    result.exact = false;
     std::vector<char> best;
     double best_weight = std::numeric_limits<double>::infinity();
     for (std::size_t start = 0; start < starts; ++start) {
-        std::vector<char> flags = LocalRatio(g, start / 2 * nodes * 2 / starts, start % 2 == 1).run();
+        LocalRatio local_ratio(g, start / 2 * nodes * 2 / starts, start % 2 == 1);
+        std::vector<char> flags = local_ratio.run();
+        result.at_least = std::max(result.at_least, local_ratio.paid());
         const std::vector<std::uint32_t> place = make_minimal(g, flags);
         double weight = weight_of(arcs, flags);
         Sifting sifting(g, place);
@@ -373,13 +382,13 @@ FeedbackSet heuristic_feedback_arcs(std::size_t nodes, std::span<const WeightedA
             best = std::move(flags);
             best_weight = weight;
         }
+        if (best_weight <= result.at_least + 1e-9) break; // nothing can be better
     }
-    FeedbackSet result;
-    result.exact = false;
     for (std::uint32_t i = 0; i < best.size(); ++i) {
         if (best[i] != 0) result.arcs.push_back(i);
     }
     result.weight = best.empty() ? 0.0 : best_weight;
+    result.exact = result.weight <= result.at_least + 1e-9;
     return result;
 }
 

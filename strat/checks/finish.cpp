@@ -49,14 +49,12 @@ model::Diagnostic bundle(const CheckContext& c, std::vector<model::Diagnostic> a
     for (const model::Diagnostic& d : alike) {
         one.units.insert(one.units.end(), d.units.begin(), d.units.end());
         one.relations.insert(one.relations.end(), d.relations.begin(), d.relations.end());
-        if (names.size() <= 5 && !d.units.empty()) names.push_back(c.index.name(d.units.front()));
+        if (names.size() < 5 && !d.units.empty()) names.push_back(c.index.name(d.units.front()));
     }
-    const std::size_t shown = std::min<std::size_t>(names.size(), 5);
-    names.resize(shown);
     std::string what = one.code;
     if (one.code == "isolated-unit") what = "units stand in no order to any other unit";
     if (one.code == "dangling-unit") what = "units are named in relations but have no sheet of their own";
-    one.message = fmt::format("{} {}, among them {}", alike.size(), what, list_names(names, shown));
+    one.message = fmt::format("{} {}, among them {}", alike.size(), what, list_names(names, names.size()));
     one.evidence["count"] = static_cast<std::int64_t>(alike.size());
     return one;
 }

@@ -190,8 +190,6 @@ void check_redundancy(const CheckContext& context, Findings& findings) {
                              fmt::format("{} relations follow from others; they are kept as evidence and left out of the drawing",
                                          redundant.size()));
     d.evidence["count"] = static_cast<std::int64_t>(redundant.size());
-    d.relations.reserve(redundant.size());
-    for (const std::uint32_t i : redundant) d.relations.push_back(context.named(matrix.because(i).front()));
     findings.push_back(std::move(d));
 }
 
