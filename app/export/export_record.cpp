@@ -34,12 +34,14 @@ const strat::Writer& writer_of(const std::filesystem::path& file, const std::str
 
 Exported export_record(Project& project, const std::filesystem::path& file, const ExportOptions& options) {
     const strat::Writer& writer = writer_of(file, options.format);
-    strat::Written written = writer.write(interpreted(project.record(), options.interpretation), {});
+    strat::WriteOptions write_options;
+    write_options.prefix = file.stem().string() + "-";
+    strat::Written written = writer.write(interpreted(project.record(), options.interpretation), write_options);
     Exported done;
     done.lost = std::move(written.lost);
     for (const strat::WrittenFile& part : written.files) {
         std::filesystem::path target = file;
-        if (!part.name.empty()) target = file.parent_path() / (file.stem().string() + "-" + part.name);
+        if (!part.name.empty()) target = file.parent_path() / (write_options.prefix + part.name);
         write_file_atomically(target, part.bytes);
         done.files.push_back(std::move(target));
     }

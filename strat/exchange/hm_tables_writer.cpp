@@ -112,7 +112,7 @@ std::string configuration(const std::vector<std::pair<std::string, std::string>>
 
 } // namespace
 
-Written write_hm_tables(const model::Record& record, const WriteOptions& /*options*/) {
+Written write_hm_tables(const model::Record& record, const WriteOptions& options) {
     Carries carries;
     carries.kind = keeps_kind;
     carries.phases = true;
@@ -141,7 +141,7 @@ Written write_hm_tables(const model::Record& record, const WriteOptions& /*optio
     for (const auto& [role, table] : tables) {
         // The first two always, so that the folder is known for what it is.
         if (!table.has_rows() && role != "contexts" && role != "observations") continue;
-        listed.emplace_back(role, role + ".csv");
+        listed.emplace_back(role, options.prefix + role + ".csv");
         written.files.push_back({role + ".csv", table.text()});
     }
     written.files.push_back({"hm.ini", configuration(listed)});

@@ -23,6 +23,8 @@ struct Written {
 };
 
 struct WriteOptions {
+    /// What the caller puts before the names of several files (`mill-`), for files that name each other.
+    std::string prefix;
     char delimiter = ',';         ///< of our own tables
     bool byte_order_mark = false; ///< before our own tables, for spreadsheets that guess
     bool guard_formulas = true;   ///< an apostrophe before = + - @ in our own tables
