@@ -13,10 +13,12 @@ namespace planum::strat {
 namespace {
 
 constexpr int kMaxDepth = 100;
+constexpr std::size_t kMaxValues = 10'000'000; // about 1 GB in memory
 
-// Counted before parsing, so that no depth of brackets reaches the parser or the destructors.
-void check_depth(std::string_view text) {
+// Counted before parsing, so that neither depth nor number reaches the parser or the destructors.
+void check_size(std::string_view text) {
     int depth = 0;
+    std::size_t values = 0;
     bool in_string = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -28,6 +30,9 @@ void check_depth(std::string_view text) {
         if (c == '"') in_string = true;
         if (c == '[' || c == '{') ++depth;
         if (c == ']' || c == '}') --depth;
+        if (c == ',' && ++values > kMaxValues) {
+            throw Error(ErrorCode::BadInput, fmt::format("JSON with more than {} values", kMaxValues));
+        }
         if (depth > kMaxDepth) {
             throw Error(ErrorCode::BadInput, fmt::format("JSON nested more than {} deep at byte {}", kMaxDepth, i));
         }
@@ -37,7 +42,7 @@ void check_depth(std::string_view text) {
 } // namespace
 
 Json parse_json(std::string_view utf8) {
-    check_depth(utf8);
+    check_size(utf8);
     try {
         return Json::parse(utf8);
     } catch (const Json::parse_error& e) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -16,7 +17,8 @@ namespace planum::strat {
 
 namespace {
 
-constexpr std::int64_t kMaxRows = 2'000'000; // of one table; the largest database seen has 12,000 units
+constexpr std::int64_t kMaxRows = 2'000'000;      // of one table; the largest database seen has 12,000 units
+constexpr std::size_t kMaxTableSize = 512U << 20U; // in memory [bytes]
 
 struct DatabaseTable {
     std::string_view name;
@@ -82,7 +84,9 @@ PyarchinitRow read_row(const sqlite::Statement& statement, std::size_t& replaced
 void read_database_table(const sqlite::Database& database, const DatabaseTable& table, const std::string& file,
                          PyarchinitRows& rows, Progress& progress) {
     sqlite::Statement statement = database.prepare("SELECT * FROM main." + sqlite::quote_identifier(table.name));
+    constexpr std::size_t kFieldOverhead = 100; // of a node of the row's map [bytes]
     std::size_t replaced = 0;
+    std::size_t size = 0;
     std::int64_t number = 0;
     while (statement.step()) {
         if (++number > kMaxRows) {
@@ -90,6 +94,10 @@ void read_database_table(const sqlite::Database& database, const DatabaseTable& 
         }
         if (number % 1000 == 0) progress.check();
         PyarchinitRow row = read_row(statement, replaced);
+        for (const auto& [name, value] : row.fields) size += kFieldOverhead + name.size() + value.size();
+        if (size > kMaxTableSize) {
+            throw Error(ErrorCode::BadInput, fmt::format("{} holds more than {} MB", table.name, kMaxTableSize >> 20U));
+        }
         row.file = file;
         row.table = table.name;
         row.line = number;

@@ -64,6 +64,7 @@ class PyarchinitRows {
     void read_unit_dating(const PyarchinitRow& row, const UnitName& name);
     void read_relations(const PyarchinitRow& row);
     void state(const PyarchinitRow& row, const UnitName& unit, const struct PyarchinitRelation& relation);
+    [[nodiscard]] UnitName unit_named(const PyarchinitRow& row, std::string_view number);
     void read_pair(const PyarchinitRow& row);
     void read_period(const PyarchinitRow& row);
     void read_level(const PyarchinitRow& row);
@@ -79,6 +80,7 @@ class PyarchinitRows {
     std::string site_;                ///< the one taken; empty: all
     std::set<UnitName> not_dug_;      ///< nodes of the Extended Matrix that are no units in the ground
     std::set<std::tuple<UnitName, model::RelationKind, UnitName>> stated_;
+    std::multimap<std::string, UnitName> by_number_; ///< made when the first pair is read
     std::map<std::string, std::size_t, std::less<>> phase_at_;
     std::map<std::string, PhaseYears, std::less<>> phase_years_;
     std::map<std::string, std::string, std::less<>> dating_words_;

@@ -2,8 +2,10 @@
 
 // The tables beside us_table: periods, pairs of units, heights, finds, samples.
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -101,6 +103,17 @@ void PyarchinitRows::set_phase_years() {
     std::erase_if(periods, [&](const model::Period& period) { return !seen.insert(period.number).second; });
 }
 
+// The tables of pairs know no area: the only unit of that number is meant.
+UnitName PyarchinitRows::unit_named(const PyarchinitRow& row, std::string_view number) {
+    UnitName name = name_of(row, row.get("area"), number);
+    if (builder_.has_unit(name)) return name;
+    if (by_number_.empty()) {
+        for (const ImportedUnit& unit : builder_.record.units) by_number_.emplace(unit.name.number, unit.name);
+    }
+    const auto [first, last] = by_number_.equal_range(name.number);
+    return first != last && std::next(first) == last ? first->second : name;
+}
+
 void PyarchinitRows::read_pair(const PyarchinitRow& row) {
     const bool is_matrix = row.fields.contains("us_sopra");
     const std::string_view word = row.get(is_matrix ? "tipo_rapporto" : "relationship_type");
@@ -113,16 +126,7 @@ void PyarchinitRows::read_pair(const PyarchinitRow& row) {
         note(row, place, "unknown-relation", fmt::format("\"{}\" is no relation word known here", word));
         return;
     }
-    // These tables know no area: the only unit of that number is meant.
-    const auto named = [&](std::string_view number) {
-        UnitName found = name_of(row, row.get("area"), number);
-        if (builder_.has_unit(found)) return found;
-        const auto has_number = [&](const ImportedUnit& unit) { return unit.name.number == found.number; };
-        const auto& units = builder_.record.units;
-        const auto first = std::find_if(units.begin(), units.end(), has_number);
-        if (first != units.end() && std::find_if(first + 1, units.end(), has_number) == units.end()) return first->name;
-        return found;
-    };
+    const auto named = [&](std::string_view number) { return unit_named(row, number); };
     const UnitName subject = named(row.get_any({"us_sopra", "us_from"}));
     const UnitName object = named(row.get_any({"us_sotto", "us_to"}));
     const bool symbol = word.starts_with('>') || word.starts_with('<');

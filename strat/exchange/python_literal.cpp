@@ -10,6 +10,7 @@ namespace planum::strat {
 namespace {
 
 constexpr int kMaxDepth = 16;
+constexpr std::size_t kMaxItems = 100'000; // in all lists together; a sheet has some dozens
 
 bool is_blank(char c) noexcept {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
@@ -75,7 +76,7 @@ class LiteralReader {
                 ++at_;
                 return true;
             }
-            if (!value(out.items.emplace_back(), depth)) return false;
+            if (++items_ > kMaxItems || !value(out.items.emplace_back(), depth)) return false;
             skip_blanks();
             if (at_end()) return false;
             if (s_[at_] == ',') {
@@ -155,6 +156,7 @@ class LiteralReader {
 
     std::string_view s_;
     std::size_t at_ = 0;
+    std::size_t items_ = 0;
 };
 
 } // namespace

@@ -193,6 +193,23 @@ TEST_CASE("A view or trigger named like a pyArchInit table is not read") {
                                             "CREATE VIEW us_table AS SELECT us, 'x' AS sito FROM t;");
     CHECK(pyarchinit_reader().recognise(std::span(&file, 1)).confidence == Confidence::No);
     CHECK_THROWS_WITH(read_with(pyarchinit_reader(), {file}), Catch::Contains("no table us_table"));
+    const test::TemporaryFolder other;
+    const InputFile trigger = database(other, "CREATE TABLE t(us); CREATE TRIGGER us_table AFTER INSERT ON t BEGIN DELETE FROM t; END;");
+    CHECK_THROWS_WITH(read_with(pyarchinit_reader(), {trigger}), Catch::Contains("no table us_table"));
+}
+
+TEST_CASE("A pyArchInit table of pairs finds units by number where only one has it") {
+    const test::TemporaryFolder folder;
+    const InputFile file = database(folder, R"(
+CREATE TABLE us_table (area TEXT, us TEXT);
+INSERT INTO us_table VALUES ('A','1'),('A','2'),('B','2');
+CREATE TABLE harris_matrix_table (us_sopra INTEGER, us_sotto INTEGER, tipo_rapporto TEXT);
+INSERT INTO harris_matrix_table VALUES (1,2,'Copre'),(2,1,'nonsense');)");
+    const auto read = read_with(pyarchinit_reader(), {file});
+    REQUIRE(read.values.relations.size() == 2);
+    CHECK(read.values.relations[0].subject == UnitName{"A", "1"});
+    CHECK(read.values.relations[0].object == UnitName{"", "2"});
+    CHECK(read.values.relations[1].kind == model::RelationKind::Later);
 }
 
 TEST_CASE("A pyArchInit database cut at any place is an error or a smaller record, never a crash") {
@@ -249,6 +266,9 @@ TEST_CASE("A printed Python list is read as data, whatever it holds") {
     CHECK_FALSE(read_python_list("['a"));
     CHECK_FALSE(read_python_list("['\\u12"));
     CHECK_FALSE(read_python_list(std::string(100'000, '[')));
+    std::string long_list = "[";
+    for (int i = 0; i < 100'001; ++i) long_list += "1,";
+    CHECK_FALSE(read_python_list(long_list + "]"));
 }
 
 TEST_CASE("Years are read from datings only where they are certain") {
