@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "scans/panorama/panorama.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "core/base/error.hpp"
+
+namespace planum::scans {
+
+namespace {
+
+constexpr std::uint64_t kMostPoints = 0xFFFFFFF0ULL;
+constexpr std::size_t kFewestForPlane = 5;
+
+bool agree(float a, float b, double share) noexcept {
+    return std::abs(a - b) <= share * static_cast<double>(std::min(a, b));
+}
+
+} // namespace
+
+PanoramaBuilder::PanoramaBuilder(const PanoramaOptions& options, Columns has) : panorama_(options) {
+    panorama_.has_ = has;
+}
+
+void PanoramaBuilder::add(const PointBlock& block) {
+    Panorama& p = panorama_;
+    if (block.size() > pixels_.capacity() - pixels_.size()) {
+        const std::size_t room = std::max(2 * pixels_.capacity(), pixels_.size() + block.size());
+        pixels_.reserve(room);
+        p.places_.reserve(room);
+        p.ranges_.reserve(room);
+        p.sources_.reserve(room);
+    }
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        if (block.validity[i] != Validity::Valid) continue;
+        const std::uint64_t source = added_++;
+        if (source >= kMostPoints) throw Error(ErrorCode::BadInput, "a panorama holds at most 4,294 million points");
+        const double range = std::sqrt(block.x[i] * block.x[i] + block.y[i] * block.y[i] + block.z[i] * block.z[i]);
+        if (!(range > 0.0)) continue; // the scanner's own place has no direction
+        const std::int64_t pixel = p.projection_.index_of(block.x[i], block.y[i], block.z[i]);
+        if (pixel < 0) continue;
+        pixels_.push_back(static_cast<std::uint32_t>(pixel));
+        p.places_.push_back({static_cast<float>(block.x[i]), static_cast<float>(block.y[i]), static_cast<float>(block.z[i])});
+        p.ranges_.push_back(static_cast<float>(range));
+        p.sources_.push_back(static_cast<std::uint32_t>(source));
+        if (p.has_.intensity) p.intensities_.push_back(block.intensity[i]);
+        if (p.has_.colour) p.colours_.push_back(block.colour[i]);
+    }
+}
+
+// Gaps along rows, then along columns: between two pixels with points whose ranges agree.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> PanoramaBuilder::closed_gaps() const {
+    const Panorama& p = panorama_;
+    const auto width = static_cast<std::size_t>(p.width());
+    const auto height = static_cast<std::size_t>(p.height());
+    const auto gap = static_cast<std::size_t>(std::max(0, p.options_.close_gap));
+    constexpr std::uint32_t kNothing = 0xFFFFFFFF;
+    std::vector<std::uint32_t> front(width * height, kNothing);
+    for (std::uint32_t i = 0; i < pixels_.size(); ++i) {
+        std::uint32_t& best = front[pixels_[i]];
+        if (best == kNothing || p.ranges_[i] < p.ranges_[best]) best = i;
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;
+    const auto close_line = [&](std::size_t start, std::size_t count, std::size_t stride) {
+        std::size_t last = count; // of the last filled one; count: none yet
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t here = front[start + i * stride];
+            if (here == kNothing) continue;
+            const bool small = last != count && i - last > 1 && i - last - 1 <= gap;
+            if (small && agree(p.ranges_[front[start + last * stride]], p.ranges_[here], p.options_.close_agreement)) {
+                for (std::size_t k = last + 1; k < i; ++k) {
+                    const std::size_t nearer = k - last <= i - k ? last : i;
+                    closed.emplace_back(static_cast<std::uint32_t>(start + k * stride), front[start + nearer * stride]);
+                }
+            }
+            last = i;
+        }
+    };
+    for (std::size_t row = 0; row < height; ++row) close_line(row * width, width, 1);
+    for (const auto& [pixel, point] : closed) front[pixel] = point;
+    for (std::size_t column = 0; column < width; ++column) close_line(column, height, width);
+    return closed;
+}
+
+Panorama PanoramaBuilder::finish(Progress& progress) {
+    progress.check();
+    Panorama& p = panorama_;
+    const std::size_t pixels = static_cast<std::size_t>(p.width()) * static_cast<std::size_t>(p.height());
+    std::vector<std::uint32_t> points(pixels_.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
+    if (p.options_.close_gap > 0) {
+        for (const auto& [pixel, point] : closed_gaps()) {
+            pixels_.push_back(pixel);
+            points.push_back(point);
+        }
+    }
+    progress.check();
+    p.lists_ = PixelLists(pixels, pixels_, points, p.ranges_);
+    pixels_ = {};
+    return std::move(panorama_);
+}
+
+std::span<const std::uint32_t> Panorama::points_at(int column, int row) const noexcept {
+    if (column < 0 || row < 0 || column >= width() || row >= height()) return {};
+    return lists_.at(static_cast<std::size_t>(row) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(column));
+}
+
+Eigen::Vector3d Panorama::place(std::uint32_t point) const noexcept {
+    const std::array<float, 3>& at = places_[point];
+    return {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};
+}
+
+float Panorama::front_range(int column, int row) const noexcept {
+    const std::span<const std::uint32_t> points = points_at(column, row);
+    return points.empty() ? 0.0F : ranges_[points.front()];
+}
+
+std::uint64_t Panorama::filled() const noexcept {
+    std::uint64_t count = 0;
+    for (int row = 0; row < height(); ++row) {
+        for (int column = 0; column < width(); ++column) count += points_at(column, row).empty() ? 0U : 1U;
+    }
+    return count;
+}
+
+std::optional<Eigen::Vector3d> Panorama::surface_at(const Eigen::Vector2d& pixel) const {
+    const std::optional<Eigen::Vector3d> ray = projection_.ray_of(pixel);
+    if (!ray) return std::nullopt;
+    const int column = std::min(static_cast<int>(pixel.x()), width() - 1);
+    const int row = std::min(static_cast<int>(pixel.y()), height() - 1);
+    if (points_at(column, row).empty()) return std::nullopt;
+    // The point nearest to the ray says which surface is meant; closed gaps lend their neighbours' points.
+    std::vector<std::uint32_t> around;
+    for (int r = row - 1; r <= row + 1; ++r) {
+        for (int c = column - 1; c <= column + 1; ++c) {
+            const auto points = points_at(c, r);
+            around.insert(around.end(), points.begin(), points.end());
+        }
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    const auto off = [&](std::uint32_t i) { return (place(i) / static_cast<double>(ranges_[i]) - *ray).squaredNorm(); };
+    const std::uint32_t nearest = *std::min_element(around.begin(), around.end(), [&](std::uint32_t a, std::uint32_t b) { return off(a) < off(b); });
+    std::erase_if(around, [&](std::uint32_t i) { return !agree(ranges_[i], ranges_[nearest], options_.close_agreement); });
+    const Eigen::Vector3d along = *ray * static_cast<double>(ranges_[nearest]);
+    if (around.size() < kFewestForPlane) return along;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    for (const std::uint32_t i : around) centre += place(i);
+    centre /= static_cast<double>(around.size());
+    // How far along the ray's direction the surface lies, as a linear function of the two others.
+    const Eigen::Vector3d side = ray->unitOrthogonal();
+    const Eigen::Vector3d up = ray->cross(side);
+    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
+    for (const std::uint32_t i : around) {
+        const Eigen::Vector3d d = place(i) - centre;
+        const Eigen::Vector2d across(d.dot(side), d.dot(up));
+        normal += across * across.transpose();
+        right_side += across * d.dot(*ray);
+    }
+    if (normal.determinant() < 1e-4 * normal.trace() * normal.trace()) return along; // they stand in a line
+    const Eigen::Vector2d slope = normal.ldlt().solve(right_side);
+    const Eigen::Vector2d to_axis(-centre.dot(side), -centre.dot(up));
+    const double range = centre.dot(*ray) + slope.dot(to_axis);
+    return agree(static_cast<float>(range), ranges_[nearest], options_.close_agreement) ? *ray * range : along;
+}
+
+} // namespace planum::scans

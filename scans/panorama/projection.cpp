@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "scans/panorama/projection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+
+namespace planum::scans {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+constexpr std::array<std::string_view, 8> kNames = {"equirectangular", "cylindrical", "mercator", "miller",
+                                                    "equal-area",      "rectilinear", "pannini",  "stereographic"};
+
+} // namespace
+
+std::string_view projection_name(ProjectionKind kind) noexcept {
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<ProjectionKind> projection_from_name(std::string_view name) noexcept {
+    const auto* const found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) return std::nullopt;
+    return static_cast<ProjectionKind>(found - kNames.begin());
+}
+
+bool Projection::has_views() const noexcept {
+    return options_.kind == ProjectionKind::Rectilinear || options_.kind == ProjectionKind::Pannini ||
+           options_.kind == ProjectionKind::Stereographic;
+}
+
+// Height in the picture's plane by the tangent of the elevation, for the projections around a cylinder.
+double Projection::height_of(double tangent) const noexcept {
+    switch (options_.kind) {
+    case ProjectionKind::Equirectangular: return std::atan(tangent);
+    case ProjectionKind::Cylindrical: return tangent;
+    case ProjectionKind::Mercator: return std::copysign(std::log(std::abs(tangent) + std::sqrt(1.0 + tangent * tangent)), tangent);
+    case ProjectionKind::Miller: {
+        // asinh(tan φ) = ½ log((1 + sin φ) / (1 − sin φ)), which is quicker.
+        const double sine = std::sin(0.8 * std::atan(tangent));
+        return 0.625 * std::log((1.0 + sine) / (1.0 - sine));
+    }
+    case ProjectionKind::EqualArea: return tangent / std::sqrt(1.0 + tangent * tangent);
+    case ProjectionKind::Rectilinear:
+    case ProjectionKind::Pannini:
+    case ProjectionKind::Stereographic: break;
+    }
+    return 0.0;
+}
+
+double Projection::elevation_of(double height) const noexcept {
+    switch (options_.kind) {
+    case ProjectionKind::Equirectangular: return height;
+    case ProjectionKind::Cylindrical: return std::atan(height);
+    case ProjectionKind::Mercator: return std::atan(std::sinh(height));
+    case ProjectionKind::Miller: return 1.25 * std::atan(std::sinh(0.8 * height));
+    case ProjectionKind::EqualArea: return std::asin(std::clamp(height, -1.0, 1.0));
+    case ProjectionKind::Rectilinear:
+    case ProjectionKind::Pannini:
+    case ProjectionKind::Stereographic: break;
+    }
+    return 0.0;
+}
+
+// (a, b, c): direction in a view's own frame, a towards its middle, b to the left, c upwards.
+Projection::Plane Projection::forward(double a, double b, double c) const noexcept {
+    if (options_.kind == ProjectionKind::Rectilinear) return {b / a, c / a};
+    if (options_.kind == ProjectionKind::Pannini) {
+        // Sharpless, Postle, German 2010: S = (d + 1) / (d + cos λ), x = S sin λ, y = S tan φ.
+        const double flat = std::sqrt(a * a + b * b);
+        const double s = (options_.distance + 1.0) / (options_.distance * flat + a);
+        return {s * b, s * c};
+    }
+    // Snyder 1987, eq. 21-2 to 21-4 with the centre at (0, 0) and a sphere of radius 1.
+    const double k = 2.0 / (std::sqrt(a * a + b * b + c * c) + a);
+    return {k * b, k * c};
+}
+
+Eigen::Vector3d Projection::backward(const Plane& p) const noexcept {
+    if (options_.kind == ProjectionKind::Rectilinear) return Eigen::Vector3d(1.0, p.x, p.y).normalized();
+    if (options_.kind == ProjectionKind::Pannini) {
+        const double d = options_.distance;
+        const double k = p.x * p.x / ((d + 1.0) * (d + 1.0));
+        const double root = std::sqrt(std::max(0.0, k * k * d * d - (k + 1.0) * (k * d * d - 1.0)));
+        const double cosine = (-k * d + root) / (k + 1.0);
+        const double s = (d + 1.0) / (d + cosine);
+        return Eigen::Vector3d(cosine, p.x / s, p.y / s).normalized();
+    }
+    const double q = 0.25 * (p.x * p.x + p.y * p.y);
+    return Eigen::Vector3d(1.0 - q, p.x, p.y) / (1.0 + q);
+}
+
+Projection::Projection(const ProjectionOptions& options) : options_(options) {
+    const double span = options.azimuth_to - options.azimuth_from;
+    const bool sane = options.width >= 1 && options.height >= 1 && options.width <= 100000 && options.height <= 100000 &&
+                      static_cast<std::int64_t>(options.width) * options.height <= 1000000000;
+    if (!sane) throw Error(ErrorCode::Usage, fmt::format("a panorama of {} x {} pixels", options.width, options.height));
+    const double reach = std::max(std::abs(options.elevation_from), std::abs(options.elevation_to));
+    const bool shows_poles = options.kind == ProjectionKind::Equirectangular || options.kind == ProjectionKind::EqualArea ||
+                             options.kind == ProjectionKind::Miller || options.kind == ProjectionKind::Stereographic;
+    const double limit = shows_poles ? kPi / 2.0 : kPi / 2.0 * 0.99;
+    if (!(span > 0.0 && span <= 2.0 * kPi + 1e-9) || !(options.elevation_from < options.elevation_to) || !(reach <= limit + 1e-9)) {
+        throw Error(ErrorCode::Usage, fmt::format("a {} panorama cannot show elevations up to {:.1f} degrees or azimuths over {:.1f} degrees",
+                                                  projection_name(options.kind), reach * 180.0 / kPi, span * 180.0 / kPi));
+    }
+    views_ = has_views() ? std::clamp(options.views, 1, options.width) : 1;
+    view_angle_ = span / views_;
+    if (has_views() && view_angle_ > 170.0 * kPi / 180.0) {
+        throw Error(ErrorCode::Usage, fmt::format("views of {:.0f} degrees are too wide, take at least {} of them", view_angle_ * 180.0 / kPi,
+                                                  static_cast<int>(std::ceil(span / (170.0 * kPi / 180.0)))));
+    }
+    for (int view = 0; view < views_; ++view) {
+        const double middle = options.azimuth_to - (view + 0.5) * view_angle_;
+        middles_.push_back({std::cos(middle), std::sin(middle)});
+    }
+    double bottom = 0.0;
+    if (has_views()) {
+        plane_left_ = forward(std::cos(view_angle_ / 2.0), std::sin(view_angle_ / 2.0), 0.0).x;
+        plane_top_ = forward(std::cos(options.elevation_to), 0.0, std::sin(options.elevation_to)).y;
+        bottom = forward(std::cos(options.elevation_from), 0.0, std::sin(options.elevation_from)).y;
+    } else {
+        plane_left_ = span / 2.0;
+        plane_top_ = height_of(std::tan(std::clamp(options.elevation_to, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
+        bottom = height_of(std::tan(std::clamp(options.elevation_from, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
+    }
+    scale_x_ = static_cast<double>(options.width) / views_ / (2.0 * plane_left_);
+    scale_y_ = options.height / (plane_top_ - bottom);
+}
+
+bool Projection::locate(double x, double y, double z, double& u, double& v) const noexcept {
+    // To the right of the left border, 0 … 2π.
+    double right = options_.azimuth_to - std::atan2(y, x);
+    if (right < 0.0) right += 2.0 * kPi;
+    if (right >= 2.0 * kPi) right -= 2.0 * kPi;
+    if (!has_views()) {
+        u = right * scale_x_;
+        v = (plane_top_ - height_of(z / std::sqrt(x * x + y * y))) * scale_y_;
+    } else {
+        const int view = static_cast<int>(right / view_angle_);
+        if (view >= views_) return false;
+        const Plane& middle = middles_[static_cast<std::size_t>(view)];
+        const Plane p = forward(middle.x * x + middle.y * y, middle.x * y - middle.y * x, z);
+        const double strip = static_cast<double>(options_.width) / views_;
+        // A direction on the border between two views belongs to one of them whatever rounding says.
+        u = view * strip + std::clamp((plane_left_ - p.x) * scale_x_, 0.0, strip);
+        v = (plane_top_ - p.y) * scale_y_;
+    }
+    return u >= 0.0 && u <= options_.width && v >= 0.0 && v <= options_.height;
+}
+
+std::optional<Eigen::Vector2d> Projection::pixel_of(const Eigen::Vector3d& direction) const noexcept {
+    Eigen::Vector2d pixel;
+    if (!locate(direction.x(), direction.y(), direction.z(), pixel.x(), pixel.y())) return std::nullopt;
+    return pixel;
+}
+
+std::int64_t Projection::index_of(double x, double y, double z) const noexcept {
+    double u = 0.0;
+    double v = 0.0;
+    if (!locate(x, y, z, u, v)) return -1;
+    const std::int64_t column = std::min(static_cast<std::int64_t>(u), static_cast<std::int64_t>(options_.width) - 1);
+    const std::int64_t row = std::min(static_cast<std::int64_t>(v), static_cast<std::int64_t>(options_.height) - 1);
+    return row * options_.width + column;
+}
+
+std::optional<Eigen::Vector3d> Projection::ray_of(const Eigen::Vector2d& pixel) const noexcept {
+    const bool inside = pixel.x() >= 0.0 && pixel.x() <= options_.width && pixel.y() >= 0.0 && pixel.y() <= options_.height;
+    if (!inside) return std::nullopt;
+    const double height = plane_top_ - pixel.y() / scale_y_;
+    if (!has_views()) {
+        const double azimuth = options_.azimuth_to - pixel.x() / scale_x_;
+        const double elevation = elevation_of(height);
+        return Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    }
+    const double strip = static_cast<double>(options_.width) / views_;
+    const int view = std::min(static_cast<int>(pixel.x() / strip), views_ - 1);
+    const Eigen::Vector3d own = backward({plane_left_ - (pixel.x() - view * strip) / scale_x_, height});
+    // Corners of a stereographic or Pannini view may lie beyond its share of the horizon.
+    if (std::abs(std::atan2(own.y(), own.x())) > view_angle_ / 2.0 + 1e-12) return std::nullopt;
+    const Plane& middle = middles_[static_cast<std::size_t>(view)];
+    return Eigen::Vector3d(middle.x * own.x() - middle.y * own.y(), middle.y * own.x() + middle.x * own.y(), own.z());
+}
+
+} // namespace planum::scans

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace planum::scans {
+
+enum class ProjectionKind : std::uint8_t {
+    Equirectangular,
+    Cylindrical, ///< central: straight uprights, stretched towards top and bottom
+    Mercator,
+    Miller,
+    EqualArea, ///< Lambert's cylindrical
+    Rectilinear,
+    Pannini,
+    Stereographic,
+};
+
+/// "equirectangular", "pannini", …; from_name is its inverse.
+[[nodiscard]] std::string_view projection_name(ProjectionKind kind) noexcept;
+[[nodiscard]] std::optional<ProjectionKind> projection_from_name(std::string_view name) noexcept;
+
+/// What of the sphere around the scanner is shown, and how. Azimuth runs from x to y (to the left),
+/// elevation from the x-y plane upwards.
+struct ProjectionOptions {
+    ProjectionKind kind = ProjectionKind::Equirectangular;
+    int width = 3600;                              ///< [px]
+    int height = 1000;                             ///< [px]
+    double azimuth_from = -std::numbers::pi;       ///< right border [rad]
+    double azimuth_to = std::numbers::pi;          ///< left border [rad]
+    double elevation_from = -std::numbers::pi / 3; ///< lower border in the middle of a view [rad]
+    double elevation_to = std::numbers::pi / 4;    ///< upper border [rad]
+    int views = 3;          ///< rectilinear, Pannini and stereographic: so many views side by side
+    double distance = 1.0;  ///< Pannini's d
+
+    friend bool operator==(const ProjectionOptions&, const ProjectionOptions&) = default;
+};
+
+/// From directions to pixels and back. Pixels are continuous: the first one reaches from 0 to 1, u to the
+/// right, v downwards.
+class Projection {
+  public:
+    /// Throws Usage for an extent that the projection cannot show (a pole in Mercator, views over 170°).
+    explicit Projection(const ProjectionOptions& options);
+
+    [[nodiscard]] const ProjectionOptions& options() const noexcept { return options_; }
+
+    /// Where a direction of any length falls; nullopt outside of the picture.
+    [[nodiscard]] std::optional<Eigen::Vector2d> pixel_of(const Eigen::Vector3d& direction) const noexcept;
+
+    /// Direction of length 1 for a place in the picture; nullopt where there is none.
+    [[nodiscard]] std::optional<Eigen::Vector3d> ray_of(const Eigen::Vector2d& pixel) const noexcept;
+
+    /// Index (row × width + column) of the pixel for (x, y, z), or -1. What panoramas are made with.
+    [[nodiscard]] std::int64_t index_of(double x, double y, double z) const noexcept;
+
+  private:
+    struct Plane {
+        double x = 0.0;
+        double y = 0.0;
+    };
+
+    [[nodiscard]] bool has_views() const noexcept;
+    [[nodiscard]] bool locate(double x, double y, double z, double& u, double& v) const noexcept;
+    [[nodiscard]] double height_of(double tangent) const noexcept;
+    [[nodiscard]] double elevation_of(double height) const noexcept;
+    [[nodiscard]] Plane forward(double a, double b, double c) const noexcept;
+    [[nodiscard]] Eigen::Vector3d backward(const Plane& p) const noexcept;
+
+    ProjectionOptions options_;
+    int views_ = 1;
+    double view_angle_ = 0.0; ///< [rad]
+    std::vector<Plane> middles_; ///< direction of each view's middle
+    double plane_left_ = 0.0; ///< of a view, in the projection's plane
+    double plane_top_ = 0.0;
+    double scale_x_ = 1.0; ///< [px] per unit of the plane
+    double scale_y_ = 1.0;
+};
+
+} // namespace planum::scans
