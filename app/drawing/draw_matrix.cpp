@@ -10,6 +10,7 @@
 #include "app/checks/daily_check.hpp"
 #include "core/base/error.hpp"
 #include "strat/layout/graphviz_engine.hpp"
+#include "strat/layout/planum_engine.hpp"
 
 namespace planum::app {
 
@@ -24,12 +25,13 @@ strat::Fold fold_of(const std::string& word) {
 }
 
 std::unique_ptr<strat::LayoutEngine> engine_of(const DrawRequest& request) {
-    if (request.engine.empty() || request.engine == "graphviz") {
+    if (request.engine.empty() || request.engine == "planum") return std::make_unique<strat::PlanumEngine>();
+    if (request.engine == "graphviz") {
         strat::GraphvizOptions options;
         if (!request.layout_worker.empty()) options.executable = request.layout_worker;
         return std::make_unique<strat::GraphvizEngine>(options);
     }
-    throw Error(ErrorCode::Usage, "engine: " + request.engine + " is none of graphviz");
+    throw Error(ErrorCode::Usage, "engine: " + request.engine + " is none of planum, graphviz");
 }
 
 void keep_problems(Project& project, const DrawRequest& request, strat::DrawingOptions& options, Progress& progress) {

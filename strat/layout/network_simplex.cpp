@@ -2,7 +2,9 @@
 #include "strat/layout/network_simplex.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 
 #include "core/base/error.hpp"
@@ -25,8 +27,12 @@ class Simplex {
         in_ = Adjacency::make(n_, arcs.size(), [&](std::size_t i) { return arcs[i].to; }, identity);
     }
 
-    std::vector<std::int32_t> solve(std::int64_t max_pivots) {
-        longest_paths();
+    std::vector<std::int32_t> solve(std::int64_t max_pivots, const std::vector<std::int32_t>& start) {
+        if (start.empty()) {
+            longest_paths();
+        } else {
+            rank_ = start;
+        }
         tight_forest();
         number_forest();
         cut_values();
@@ -63,7 +69,8 @@ class Simplex {
         if (done != n_) throw Error(ErrorCode::Internal, "levels were asked of a graph with a cycle");
     }
 
-    // Grows each tree over tight arcs; where none is left, shifts the whole tree by the least slack.
+    // Grows each tree from a root by the arc of least slack that leaves it, moving the whole tree so that the arc
+    // becomes tight. The move is kept apart as one number, so that slacks of waiting arcs need no update.
     void tight_forest() {
         in_tree_.assign(arcs_.size(), false);
         joined_.assign(n_, false);
@@ -72,40 +79,45 @@ class Simplex {
         }
     }
 
-    void grow_tree(std::uint32_t root) {
-        std::vector<std::uint32_t> tree = {root};
-        joined_[root] = true;
-        std::size_t explored = 0;
-        while (true) {
-            for (; explored < tree.size(); ++explored) absorb_tight(tree[explored], tree);
-            std::uint32_t best = kNone;
-            for (const std::uint32_t v : tree) {
-                for (const Adjacency* side : {&out_, &in_}) {
-                    for (const std::uint32_t a : side->row(v)) {
-                        if (joined_[arcs_[a].from] == joined_[arcs_[a].to]) continue;
-                        if (best == kNone || slack(a) < slack(best)) best = a;
-                    }
-                }
-            }
-            if (best == kNone) return;
-            const std::int32_t shift = joined_[arcs_[best].from] ? slack(best) : -slack(best);
-            for (const std::uint32_t v : tree) rank_[v] += shift;
-            // The neighbour is tight now; explore from the tree's end of the arc.
-            const std::uint32_t at = joined_[arcs_[best].from] ? arcs_[best].from : arcs_[best].to;
-            absorb_tight(at, tree);
-        }
-    }
+    struct Waiting {
+        std::int64_t key = 0; // slack, less what the tree's move does to it
+        std::uint32_t arc = 0;
+        bool operator>(const Waiting& o) const { return key != o.key ? key > o.key : arc > o.arc; }
+    };
+    using WaitingArcs = std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>>;
 
-    void absorb_tight(std::uint32_t v, std::vector<std::uint32_t>& tree) {
-        for (const Adjacency* side : {&out_, &in_}) {
-            for (const std::uint32_t a : side->row(v)) {
-                const std::uint32_t other = arcs_[a].from == v ? arcs_[a].to : arcs_[a].from;
-                if (joined_[other] || slack(a) != 0) continue;
-                joined_[other] = true;
-                in_tree_[a] = true;
-                tree.push_back(other);
+    void grow_tree(std::uint32_t root) {
+        std::vector<std::uint32_t> tree;
+        WaitingArcs leaving;  // from the tree outwards: slack = key − moved
+        WaitingArcs arriving; // into the tree: slack = key + moved
+        std::int32_t moved = 0;
+        const auto join = [&](std::uint32_t v) {
+            joined_[v] = true;
+            rank_[v] -= moved;
+            tree.push_back(v);
+            for (const std::uint32_t a : out_.row(v)) {
+                if (!joined_[arcs_[a].to]) leaving.push({slack(a), a});
             }
+            for (const std::uint32_t a : in_.row(v)) {
+                if (!joined_[arcs_[a].from]) arriving.push({slack(a), a});
+            }
+        };
+        join(root);
+        while (true) {
+            while (!leaving.empty() && joined_[arcs_[leaving.top().arc].to]) leaving.pop();
+            while (!arriving.empty() && joined_[arcs_[arriving.top().arc].from]) arriving.pop();
+            if (leaving.empty() && arriving.empty()) break;
+            const bool out = arriving.empty() || (!leaving.empty() && leaving.top().key - moved <= arriving.top().key + moved);
+            const std::uint32_t a = out ? leaving.top().arc : arriving.top().arc;
+            if (out) {
+                moved = static_cast<std::int32_t>(leaving.top().key);
+            } else {
+                moved = static_cast<std::int32_t>(-arriving.top().key);
+            }
+            in_tree_[a] = true;
+            join(out ? arcs_[a].to : arcs_[a].from);
         }
+        for (const std::uint32_t v : tree) rank_[v] += moved;
     }
 
     void number_forest() {
@@ -308,9 +320,10 @@ class Simplex {
 
 } // namespace
 
-std::vector<std::int32_t> network_simplex(std::uint32_t nodes, const std::vector<RankArc>& arcs, std::int64_t max_pivots) {
+std::vector<std::int32_t> network_simplex(std::uint32_t nodes, const std::vector<RankArc>& arcs, std::int64_t max_pivots,
+                                          const std::vector<std::int32_t>& start) {
     if (nodes == 0) return {};
-    return Simplex(nodes, arcs).solve(arcs.empty() ? 0 : max_pivots);
+    return Simplex(nodes, arcs).solve(arcs.empty() ? 0 : max_pivots, start);
 }
 
 } // namespace planum::strat

@@ -51,6 +51,8 @@ class Orderer {
         } else {
             try_start(Start::DepthFirst);
             if (best_crossings_ > 0) try_start(Start::BreadthFirst);
+            constexpr int kMostStarts = 24;
+            for (int start = 0; start < kMostStarts && best_crossings_ > 0 && spend(0); ++start) try_start(Start::Shaken);
             if (best_crossings_ > 0) try_start(Start::Given);
         }
         g_.layers = best_;
@@ -63,7 +65,7 @@ class Orderer {
     }
 
   private:
-    enum class Start { Given, DepthFirst, BreadthFirst };
+    enum class Start { Given, DepthFirst, BreadthFirst, Shaken };
     enum class Centre { Barycentre, Median };
 
     void number(std::size_t l) {
@@ -106,19 +108,22 @@ class Orderer {
 
     void try_start(Start start) {
         if (start != Start::Given && !spend(0)) return;
-        if (start == Start::Given) {
+        if (start == Start::Given || start == Start::Shaken) {
             g_.layers = best_;
+            if (start == Start::Shaken) shake();
             number_all();
         } else {
             walk(start);
         }
         std::int64_t before = std::numeric_limits<std::int64_t>::max();
         int stuck = 0;
-        constexpr int kMostSweeps = 32;
-        for (int sweep = 0; sweep < kMostSweeps && stuck < 5 && best_crossings_ > 0; ++sweep) {
+        const bool shaken = start == Start::Shaken; // a few sweeps tell whether it leads anywhere
+        const int most_sweeps = shaken ? 6 : 32;
+        const int patience = shaken ? 2 : 5;
+        for (int sweep = 0; sweep < most_sweeps && stuck < patience && best_crossings_ > 0; ++sweep) {
             progress_.check();
             sweep_once(sweep % 2 == 0, sweep % 4 < 2 ? Centre::Barycentre : Centre::Median);
-            switch_until_stuck(3);
+            switch_until_stuck(3, sweep % 4 >= 2);
             const std::int64_t now = crossings();
             remember();
             stuck = now < before ? 0 : stuck + 1;
@@ -127,6 +132,7 @@ class Orderer {
         }
         g_.layers = best_;
         number_all();
+        if (shaken) return;
         sift_until_stuck();
         switch_until_stuck(10);
         remember();
@@ -135,7 +141,21 @@ class Orderer {
     // False when no work is left.
     bool spend(std::int64_t work) {
         spent_ += work;
-        return spent_ < options_.work;
+        const std::int64_t by_size = 20'000'000 + 1'000 * static_cast<std::int64_t>(g_.edges.size());
+        return spent_ < (options_.work > 0 ? options_.work : by_size);
+    }
+
+    // From the best order so far, a stretch of each third level is turned round: another valley to descend into.
+    // The numbers are made, not drawn by chance: same input, same drawing.
+    void shake() {
+        for (std::vector<std::uint32_t>& layer : g_.layers) {
+            seed_ = seed_ * 6364136223846793005ULL + 1442695040888963407ULL;
+            if (layer.size() < 3 || (seed_ >> 33U) % 3 != 0) continue;
+            const std::size_t from = static_cast<std::size_t>(seed_ >> 40U) % (layer.size() - 1);
+            const std::size_t length = 2 + static_cast<std::size_t>(seed_ >> 50U) % std::min<std::size_t>(12, layer.size() - 1);
+            const std::size_t to = std::min(layer.size(), from + length);
+            std::reverse(layer.begin() + static_cast<std::ptrdiff_t>(from), layer.begin() + static_cast<std::ptrdiff_t>(to));
+        }
     }
 
     // Neighbours found one after another stand side by side.
@@ -240,17 +260,18 @@ class Orderer {
                inversions(ends.down.row(a), ends.down.row(b)) - inversions(ends.down.row(b), ends.down.row(a));
     }
 
-    void switch_until_stuck(int most_rounds) {
+    // `also_equal` swaps neighbours in the first round even where nothing is won, which leads out of plains.
+    void switch_until_stuck(int most_rounds, bool also_equal = false) {
         Ends ends;
         for (int round = 0; round < most_rounds; ++round) {
             bool better = false;
-            for (std::size_t l = 0; l < g_.layers.size(); ++l) better = switch_layer(l, ends) || better;
+            for (std::size_t l = 0; l < g_.layers.size(); ++l) better = switch_layer(l, ends, also_equal && round == 0) || better;
             if (!better) return;
             if (!spend(static_cast<std::int64_t>(g_.edges.size()) * 10)) return;
         }
     }
 
-    bool switch_layer(std::size_t l, Ends& ends) {
+    bool switch_layer(std::size_t l, Ends& ends, bool also_equal) {
         std::vector<std::uint32_t>& layer = g_.layers[l];
         if (layer.size() < 2) return false;
         collect_ends(l, ends);
@@ -262,7 +283,8 @@ class Orderer {
         for (int round = 0; round < kRounds; ++round) {
             bool better = false;
             for (std::size_t i = 0; i + 1 < layer.size(); ++i) {
-                if (gain(ends, row[i], row[i + 1]) <= 0) continue;
+                const std::int64_t won = gain(ends, row[i], row[i + 1]);
+                if (won < 0 || (won == 0 && !(also_equal && round == 0))) continue;
                 std::swap(row[i], row[i + 1]);
                 std::swap(layer[i], layer[i + 1]);
                 better = true;
@@ -339,6 +361,7 @@ class Orderer {
     Layers best_;
     std::int64_t best_crossings_ = 0;
     std::int64_t spent_ = 0;
+    std::uint64_t seed_ = 1;
     // Kept between calls to save allocations.
     std::vector<std::uint32_t> tree_;
     std::vector<std::uint32_t> ends_;

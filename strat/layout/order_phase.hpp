@@ -17,7 +17,7 @@ struct LayeredGraph {
 };
 
 struct OrderOptions {
-    std::int64_t work = 400'000'000; ///< about how many steps may be spent
+    std::int64_t work = 0;   ///< about how many steps may be spent; 0: by the size of the graph
     bool keep_given = false;         ///< begin with the given order and only better it where neighbours swap
 };
 
