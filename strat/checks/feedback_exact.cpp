@@ -121,6 +121,8 @@ class SubsetProgramme {
         : graph_(graph), nodes_(std::move(nodes)), low_bits_(nodes_.size() / 2) {
         low_ = sums(0, low_bits_);
         high_ = sums(low_bits_, nodes_.size());
+        least_low_ = least(low_, 0, low_bits_);
+        least_high_ = least(high_, low_bits_, nodes_.size());
         above_.assign(nodes_.size(), 0);
         below_.assign(nodes_.size(), 0);
         for (std::size_t v = 0; v < nodes_.size(); ++v) {
@@ -136,26 +138,25 @@ class SubsetProgramme {
     [[nodiscard]] std::vector<std::uint32_t> solve(double bound) {
         const std::size_t n = nodes_.size();
         const std::size_t all = (std::size_t{1} << n) - 1;
+        const std::size_t low_mask = (std::size_t{1} << low_bits_) - 1;
         std::vector<double> best(all + 1, kInfinite);
-        std::vector<std::uint8_t> last(all + 1, 0);
         best[0] = 0.0;
         for (std::size_t set = 0; set < all; ++set) {
+            // What the two halves of the rest cost by themselves, the rest costs at least.
             if (best[set] > bound) continue;
-            const std::size_t next = worth_trying(all & ~set);
-            const double* low = &low_[(set & ((std::size_t{1} << low_bits_) - 1)) * n];
+            const std::size_t rest = all & ~set;
+            if (best[set] + least_low_[rest & low_mask] + least_high_[rest >> low_bits_] > bound) continue;
+            const std::size_t next = worth_trying(rest);
+            const double* low = &low_[(set & low_mask) * n];
             const double* high = &high_[(set >> low_bits_) * n];
-            for (std::size_t v = 0; v < n; ++v) {
-                const std::size_t bit = std::size_t{1} << v;
-                if ((next & bit) == 0) continue;
-                const double weight = best[set] + low[v] + high[v];
-                if (weight < best[set | bit]) {
-                    best[set | bit] = weight;
-                    last[set | bit] = static_cast<std::uint8_t>(v);
-                }
+            for (std::size_t left = next; left != 0; left &= left - 1) {
+                const auto v = static_cast<std::size_t>(__builtin_ctzll(left));
+                double& after = best[set | (left & (~left + 1))];
+                after = std::min(after, best[set] + low[v] + high[v]);
             }
         }
         if (best[all] == kInfinite) return {};
-        return backward_arcs(last, all);
+        return backward_arcs(best, all);
     }
 
   private:
@@ -164,6 +165,8 @@ class SubsetProgramme {
     std::size_t low_bits_;
     std::vector<double> low_; // [subset of the low half][v]: weight of arcs from v into the subset
     std::vector<double> high_;
+    std::vector<double> least_low_; // least backward weight within each subset of the low half
+    std::vector<double> least_high_;
     std::vector<std::size_t> above_; // nodes with an arc into v, as bits
     std::vector<std::size_t> below_;
 
@@ -192,10 +195,38 @@ class SubsetProgramme {
         return table;
     }
 
-    [[nodiscard]] std::vector<std::uint32_t> backward_arcs(const std::vector<std::uint8_t>& last, std::size_t set) {
+    // The same programme for the subsets of one half alone.
+    [[nodiscard]] std::vector<double> least(const std::vector<double>& table, std::size_t first, std::size_t last) const {
+        const std::size_t n = nodes_.size();
+        std::vector<double> weight(std::size_t{1} << (last - first), kInfinite);
+        weight[0] = 0.0;
+        for (std::size_t set = 1; set < weight.size(); ++set) {
+            for (std::size_t v = 0; v < last - first; ++v) {
+                const std::size_t without = set & ~(std::size_t{1} << v);
+                if (without == set) continue;
+                weight[set] = std::min(weight[set], weight[without] + table[without * n + first + v]);
+            }
+        }
+        return weight;
+    }
+
+    // Which node came last in the best order of the set: the same sums in the same order give the same
+    // numbers, so equality finds it.
+    [[nodiscard]] std::size_t last_of(const std::vector<double>& best, std::size_t set) const {
+        for (std::size_t left = set; left != 0; left &= left - 1) {
+            const auto v = static_cast<std::size_t>(__builtin_ctzll(left));
+            const std::size_t before = set & ~(left & (~left + 1));
+            const std::size_t low = before & ((std::size_t{1} << low_bits_) - 1);
+            const double weight = best[before] + low_[low * nodes_.size() + v] + high_[(before >> low_bits_) * nodes_.size() + v];
+            if (weight == best[set]) return v;
+        }
+        return static_cast<std::size_t>(__builtin_ctzll(set));
+    }
+
+    [[nodiscard]] std::vector<std::uint32_t> backward_arcs(const std::vector<double>& best, std::size_t set) const {
         std::vector<std::uint32_t> arcs;
         while (set != 0) {
-            const std::size_t v = last[set];
+            const std::size_t v = last_of(best, set);
             set &= ~(std::size_t{1} << v);
             for (std::size_t x = 0; x < nodes_.size(); ++x) {
                 if ((set & (std::size_t{1} << x)) == 0) continue;
