@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "scans/registration/fine_alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+#include "scans/registration/link_quality.hpp"
+
+namespace planum::scans {
+
+using geometry::Rigid3;
+using geometry::Vector6;
+
+namespace {
+
+constexpr double kConverged = 2e-6; ///< largest last step at the finest level [m], turns at 10 m
+constexpr double kSameFacing = 0.9; ///< cosine between normals of the same ground
+
+void check(const FineOptions& options) {
+    if (options.levels.empty()) throw Error(ErrorCode::BadInput, "fine alignment without levels");
+    double last = std::numeric_limits<double>::infinity();
+    for (const auto& level : options.levels) {
+        if (!(level.voxel >= 0.0) || level.voxel > last) {
+            throw Error(ErrorCode::BadInput, "levels of the fine alignment must go from coarse to fine");
+        }
+        last = level.voxel;
+    }
+    if (!(options.patch > 0.0)) throw Error(ErrorCode::BadInput, "patches of the fine alignment need a size");
+}
+
+double length_of(const Vector6& step) { return std::max(10.0 * step.head<3>().norm(), step.tail<3>().norm()); }
+
+/// The pose on its way from level to level.
+class Alignment {
+  public:
+    Alignment(const PreparedScan& target, const PreparedScan& source, const Rigid3& start,
+              const FineOptions& options, Progress& progress)
+        : target_(target), source_(source), options_(options), progress_(progress) {
+        result.target_from_source = start;
+    }
+
+    bool run() {
+        for (std::size_t i = 0; i < options_.levels.size(); ++i) {
+            progress_.fraction(static_cast<double>(i) / static_cast<double>(options_.levels.size() + 1));
+            const AlignmentLevel& level = options_.levels[i];
+            const double enough = std::max(kConverged, 0.02 * level.blur);
+            if (!converge(i, {}, {}, enough)) return false;
+        }
+        return vote();
+    }
+
+    FineResult result;
+    NormalEquations equations;
+    std::vector<SurfelMatch> matches;
+
+  private:
+    bool converge(std::size_t level, std::span<const std::uint32_t> patch_of, std::span<const double> weights,
+                  double enough) {
+        const AlignmentLevel& how = options_.levels[level];
+        const SurfelCloud& target = target_.clouds[target_.cloud_of[level]];
+        const SurfelCloud& source = source_.clouds[source_.cloud_of[level]];
+        const bool is_last = how.blur <= 0.0;
+        const MatchOptions match{how.max_distance, how.blur, is_last ? kSameFacing : 0.0, 4.0,
+                                 is_last ? MatchWays::Both : MatchWays::Forward, options_.threads};
+        for (int i = 0; i < how.max_iterations; ++i) {
+            progress_.check();
+            equations =
+                match_surfels(target, source, result.target_from_source, match, patch_of, weights, matches);
+            ++result.iterations;
+            const Vector6 step = damped_step(equations);
+            if (!step.allFinite()) return false;
+            result.target_from_source = geometry::moved(result.target_from_source, step);
+            if (length_of(step) < enough) break;
+        }
+        return equations.votes >= 30.0;
+    }
+
+    // Patches and pose in turn, until what votes no longer changes.
+    bool vote() {
+        constexpr int kRounds = 8;
+        const std::size_t last = options_.levels.size() - 1;
+        PatchMap map = make_patches(target_.clouds[target_.cloud_of[last]], options_.patch);
+        for (int round = 0; round < kRounds; ++round) {
+            const Rigid3 before = result.target_from_source;
+            result.scatter = judge_patches(map, matches);
+            if (!converge(last, map.patch_of, weights_of(map), kConverged)) return false;
+            if (length_of(geometry::step_between(before, result.target_from_source)) < 5e-6) break;
+        }
+        link_covariance(map, last);
+        result.patches = std::move(map.patches);
+        return true;
+    }
+
+    void link_covariance(const PatchMap& map, std::size_t level) {
+        const LinkStatistics link =
+            link_statistics(target_.clouds[target_.cloud_of[level]], source_.clouds[source_.cloud_of[level]],
+                            result.target_from_source, matches, map, options_.threads);
+        result.covariance = link.covariance;
+        result.covariance.diagonal().head<3>().array() += options_.systematic_rotation * options_.systematic_rotation;
+        result.covariance.diagonal().tail<3>().array() += options_.systematic_position * options_.systematic_position;
+        result.rms = link.rms;
+    }
+
+    const PreparedScan& target_;
+    const PreparedScan& source_;
+    const FineOptions& options_;
+    Progress& progress_;
+};
+
+std::vector<Eigen::Vector3d> positions_of(const SurfelCloud& cloud) {
+    std::vector<Eigen::Vector3d> positions;
+    positions.reserve(cloud.surfels.size());
+    for (const auto& surfel : cloud.surfels) positions.push_back(surfel.position);
+    return positions;
+}
+
+} // namespace
+
+PreparedScan prepare_scan(std::span<const Eigen::Vector3d> x_in_scan, const FineOptions& options) {
+    check(options);
+    PreparedScan scan;
+    for (const auto& x : x_in_scan) scan.points += x.allFinite() ? 1U : 0U;
+    // From fine to coarse, each thinned from the one before.
+    std::vector<Eigen::Vector3d> points;
+    double last = -1.0;
+    for (auto level = options.levels.rbegin(); level != options.levels.rend(); ++level) {
+        if (level->voxel != last) {
+            last = level->voxel;
+            double voxel = std::max(level->voxel, scan.clouds.empty() ? 0.0 : scan.clouds.back().voxel);
+            points = thin_out(scan.clouds.empty() ? x_in_scan : std::span<const Eigen::Vector3d>(points), voxel);
+            while (points.size() > options.max_surfels) {
+                voxel = voxel > 0.0 ? 1.4 * voxel : 0.005;
+                points = thin_out(points, voxel);
+            }
+            scan.clouds.push_back(make_surfels(points, {0.0, options.neighbours, 0.0005, options.threads}));
+            scan.clouds.back().voxel = voxel;
+            points = positions_of(scan.clouds.back());
+        }
+        scan.cloud_of.push_back(scan.clouds.size() - 1);
+    }
+    std::reverse(scan.cloud_of.begin(), scan.cloud_of.end());
+    return scan;
+}
+
+FineResult align_scans(const PreparedScan& target, const PreparedScan& source, const Rigid3& start,
+                       const FineOptions& options, Progress& progress) {
+    check(options);
+    if (target.cloud_of.size() != options.levels.size() || source.cloud_of.size() != options.levels.size()) {
+        throw Error(ErrorCode::Internal, "scans prepared for another schedule");
+    }
+    progress.step("fine alignment");
+    Alignment alignment(target, source, start, options, progress);
+    const bool has_votes = alignment.run();
+    FineResult result = std::move(alignment.result);
+    judge_link(result, target, source, start, has_votes, options);
+    return result;
+}
+
+} // namespace planum::scans

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scans/registration/fine_alignment.hpp"
+
+namespace planum::scans {
+
+/// Gauss-Newton step, damped so little that only a direction nobody votes on stands still.
+[[nodiscard]] geometry::Vector6 damped_step(const NormalEquations& equations);
+
+struct LinkStatistics {
+    geometry::Matrix6 covariance = geometry::Matrix6::Zero(); ///< infinite if it cannot be told
+    double rms = 0.0;                                         ///< [m]
+};
+
+/// Covariance from the scatter of whole patches (the sandwich of clustered observations, Liang and Zeger 1986),
+/// never below what the votes themselves state.
+[[nodiscard]] LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& source,
+                                             const geometry::Rigid3& target_from_source,
+                                             std::span<const SurfelMatch> matches, const PatchMap& map, int threads);
+
+/// Measures overlap and agreement at the final pose and decides: accepted, or refused and why.
+void judge_link(FineResult& result, const PreparedScan& target, const PreparedScan& source,
+                const geometry::Rigid3& start, bool has_votes, const FineOptions& options);
+
+} // namespace planum::scans

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scans/registration/surfel_matching.hpp"
+
+namespace planum::scans {
+
+enum class PatchState : std::uint8_t {
+    Stable,  ///< votes
+    Changed, ///< most of it lies elsewhere now
+    Shifted, ///< all of it is a little higher or lower than the rest of the ground
+    Thin,    ///< too few points to judge
+};
+
+[[nodiscard]] std::string_view to_word(PatchState state) noexcept;
+
+/// A piece of ground with one facing, a cube of the target's frame; the unit in which ground votes, because
+/// what was dug away, moved or trodden down changes by pieces.
+struct Patch {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< mean of its target surfels, in target [m]
+    PatchState state = PatchState::Thin;
+    int agreeing = 0;
+    int disagreeing = 0;
+    double offset = 0.0; ///< mean signed distance [m]
+    double stated = 0.0; ///< σ of offset as the surfels state it [m]
+    double sigma = 0.0;  ///< of offset, from the scatter within, not below stated [m]
+    double weight = 1.0; ///< of each of its points, 0…1
+};
+
+/// The patches of a target cloud.
+struct PatchMap {
+    std::vector<std::uint32_t> patch_of; ///< one a target surfel
+    std::vector<Patch> patches;          ///< ordered by place
+};
+
+[[nodiscard]] PatchMap make_patches(const SurfelCloud& target, double edge);
+
+/// Judges every patch from the matches of the present pose and sets its weight: nothing for ground that has
+/// changed; for the rest such that a patch never counts more than the scatter between patches allows,
+/// however many points it has (correlated points count once). Returns that scatter, one σ [m].
+double judge_patches(PatchMap& map, std::span<const SurfelMatch> matches);
+
+[[nodiscard]] std::vector<double> weights_of(const PatchMap& map);
+
+} // namespace planum::scans

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "scans/registration/surfel_matching.hpp"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "scans/registration/fixed_blocks.hpp"
+
+namespace planum::scans {
+
+using geometry::Matrix6;
+using geometry::Rigid3;
+
+namespace {
+
+struct PairGeometry {
+    Eigen::Vector3d arm;   ///< from the source's origin, in target axes
+    Eigen::Vector3d apart; ///< source minus target
+    Eigen::Matrix3d inverse_spread;
+};
+
+PairGeometry geometry_of(const Surfel& target, const Surfel& source, const Rigid3& pose, double blur) {
+    PairGeometry pair;
+    pair.arm = pose.rotation * source.position;
+    pair.apart = pair.arm + pose.translation - target.position;
+    Eigen::Matrix3d spread = target.covariance;
+    spread.noalias() += pose.rotation * source.covariance * pose.rotation.transpose();
+    spread.diagonal().array() += blur * blur;
+    if (blur > 0.0) {
+        pair.inverse_spread = spread.inverse();
+        return pair;
+    }
+    // Close to the end only the distance between the planes counts: what little pull there is along them
+    // comes from the pattern of the points, and two scans from one place have almost the same.
+    Eigen::Vector3d normal = pose.rotation * source.normal;
+    if (normal.dot(target.normal) < 0.0) normal = -normal;
+    normal = (normal + target.normal).normalized();
+    pair.inverse_spread = normal * normal.transpose() / normal.dot(spread * normal);
+    return pair;
+}
+
+void add(NormalEquations& sum, const PairGeometry& pair, double weight) {
+    const Eigen::Matrix3d turn = -geometry::cross_matrix(pair.arm);
+    const Eigen::Matrix3d m = weight * pair.inverse_spread;
+    const Eigen::Matrix3d turned = turn.transpose() * m;
+    sum.information.topLeftCorner<3, 3>().noalias() += turned * turn;
+    sum.information.topRightCorner<3, 3>() += turned;
+    sum.information.bottomRightCorner<3, 3>() += m;
+    sum.gradient.head<3>().noalias() += turned * pair.apart;
+    sum.gradient.tail<3>().noalias() += m * pair.apart;
+}
+
+// The nearest flat surfel of the other cloud, if there is one within reach.
+bool find(const Surfel& surfel, const SurfelCloud& other, const Rigid3& other_from_surfel,
+          const MatchOptions& options, std::uint32_t& index) {
+    if (!surfel.is_flat) return false;
+    const auto near = other.index.nearest(other_from_surfel * surfel.position);
+    index = near.index;
+    return near.squared_distance <= options.max_distance * options.max_distance &&
+           other.surfels[near.index].is_flat;
+}
+
+PairGeometry judge(SurfelMatch& match, const Surfel& target, const Surfel& source, const Rigid3& pose,
+                   const MatchOptions& options) {
+    const PairGeometry pair = geometry_of(target, source, pose, options.blur);
+    const double chi = pair.apart.dot(pair.inverse_spread * pair.apart);
+    const double facing = std::abs(target.normal.dot(pose.rotation * source.normal));
+    const bool agrees = chi < options.gate * options.gate && facing > options.least_facing;
+    match.kind = agrees ? MatchKind::Agree : MatchKind::Disagree;
+    match.offset = target.normal.dot(pair.apart);
+    match.variance = facing * facing / target.normal.dot(pair.inverse_spread * target.normal);
+    return pair;
+}
+
+void mirror(Matrix6& m) { m.bottomLeftCorner<3, 3>() = m.topRightCorner<3, 3>().transpose(); }
+
+} // namespace
+
+NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
+    information += other.information;
+    gradient += other.gradient;
+    cost += other.cost;
+    votes += other.votes;
+    return *this;
+}
+
+NormalEquations equations_of(const Surfel& target, const Surfel& source, const Rigid3& target_from_source,
+                             double blur) {
+    NormalEquations sum;
+    add(sum, geometry_of(target, source, target_from_source, blur), 1.0);
+    mirror(sum.information);
+    return sum;
+}
+
+NormalEquations match_surfels(const SurfelCloud& target, const SurfelCloud& source,
+                              const Rigid3& target_from_source, const MatchOptions& options,
+                              std::span<const std::uint32_t> patch_of, std::span<const double> patch_weight,
+                              std::vector<SurfelMatch>& matches) {
+    const std::size_t forward = source.surfels.size();
+    const std::size_t size = forward + (options.ways == MatchWays::Both ? target.surfels.size() : 0);
+    matches.assign(size, {});
+    if (target.surfels.empty() || source.surfels.empty()) return {};
+    const Rigid3 source_from_target = target_from_source.inverse();
+    const double width = options.gate * options.gate / 9.0; // of Geman-McClure: a third of the gate
+    std::vector<NormalEquations> sums(block_count(size));
+    for_blocks(size, options.threads, [&](std::size_t block, std::size_t begin, std::size_t end) {
+        NormalEquations sum;
+        for (std::size_t i = begin; i < end; ++i) {
+            SurfelMatch& match = matches[i];
+            const bool found = i < forward
+                                   ? find(source.surfels[i], target, target_from_source, options, match.target)
+                                   : find(target.surfels[i - forward], source, source_from_target, options, match.source);
+            (i < forward ? match.source : match.target) = static_cast<std::uint32_t>(i < forward ? i : i - forward);
+            if (!found) continue;
+            const Surfel& t = target.surfels[match.target];
+            const PairGeometry pair = judge(match, t, source.surfels[match.source], target_from_source, options);
+            if (match.kind == MatchKind::Disagree) continue;
+            const double chi = pair.apart.dot(pair.inverse_spread * pair.apart);
+            match.weight = width * width / ((width + chi) * (width + chi));
+            const double weight = match.weight * (patch_of.empty() ? 1.0 : patch_weight[patch_of[match.target]]);
+            if (weight <= 0.0) continue;
+            add(sum, pair, weight);
+            sum.cost += weight * chi;
+            sum.votes += weight;
+        }
+        sums[block] = sum;
+    });
+    NormalEquations total;
+    for (const auto& sum : sums) total += sum;
+    mirror(total.information);
+    return total;
+}
+
+} // namespace planum::scans

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "scans/registration/fine_alignment.hpp"
+
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "core/base/error.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/real_data.hpp"
+#include "tests/unit/scans_registration/scan_files.hpp"
+#include "tests/unit/scans_registration/synthetic_ground.hpp"
+
+using namespace planum;
+using namespace planum::scans;
+using geometry::Rigid3;
+using geometry::Vector6;
+using test::synthetic_ground;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+const Rigid3 kFirst{geometry::exp_rotation({0.0, 0.01, 0.3}), {-2.5, -2.0, 1.6}};
+const Rigid3 kSecond{geometry::exp_rotation({0.01, 0.0, 2.2}), {-1.0, 2.0, 1.7}};
+
+FineOptions small_options() {
+    FineOptions options;
+    options.levels = {{0.30, 0.60, 0.10, 20}, {0.10, 0.30, 0.03, 15}, {0.10, 0.30, 0.0, 20}};
+    options.patch = 0.5;
+    return options;
+}
+
+Rigid3 disturbed(const Rigid3& pose, double metres, double radians, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    const Eigen::Vector3d turn(normal(random), normal(random), normal(random));
+    const Eigen::Vector3d shift(normal(random), normal(random), normal(random));
+    Vector6 step;
+    step << radians * turn.normalized(), metres * shift.normalized();
+    return geometry::moved(pose, step);
+}
+
+FineResult align(const std::vector<Eigen::Vector3d>& target, const std::vector<Eigen::Vector3d>& source,
+                 const Rigid3& start, const FineOptions& options = small_options()) {
+    return align_scans(prepare_scan(target, options), prepare_scan(source, options), start, options);
+}
+
+} // namespace
+
+TEST_CASE("The motion between two scans of the same ground is recovered, and swapped it is the inverse") {
+    const auto target = synthetic_ground(kFirst, {.seed = 1});
+    const auto source = synthetic_ground(kSecond, {.seed = 2});
+    const Rigid3 truth = kFirst.inverse() * kSecond;
+    const Rigid3 start = disturbed(truth, 0.05, 0.5 * kDegree, 3);
+    const auto forward = align(target, source, start);
+    REQUIRE(forward.is_accepted);
+    const Vector6 error = geometry::step_between(truth, forward.target_from_source);
+    CHECK(error.tail<3>().norm() < 0.001); // half of the noise of one point
+    CHECK(error.head<3>().norm() < 0.02 * kDegree);
+    const auto backward = align(source, target, start.inverse());
+    REQUIRE(backward.is_accepted);
+    const Vector6 closure = geometry::step_between(Rigid3{}, forward.target_from_source * backward.target_from_source);
+    CHECK(closure.tail<3>().norm() < 0.001);
+    CHECK(closure.head<3>().norm() < 0.02 * kDegree);
+}
+
+TEST_CASE("One thread and two give the same bits") {
+    auto options = small_options();
+    const auto target = synthetic_ground(kFirst, {.seed = 4});
+    const auto source = synthetic_ground(kSecond, {.seed = 5});
+    const Rigid3 start = disturbed(kFirst.inverse() * kSecond, 0.05, 0.5 * kDegree, 6);
+    options.threads = 1;
+    const auto one = align(target, source, start, options);
+    options.threads = 2;
+    const auto two = align(target, source, start, options);
+    CHECK(one.target_from_source == two.target_from_source);
+    CHECK(one.covariance == two.covariance);
+    CHECK(one.verdict == two.verdict);
+}
+
+TEST_CASE("What was dug away does not pull the alignment along") {
+    const auto target = synthetic_ground(kFirst, {.seed = 7});
+    const auto source = synthetic_ground(kSecond, {.dug_depth = 0.03, .seed = 8});
+    const Rigid3 truth = kFirst.inverse() * kSecond;
+    const auto result = align(target, source, disturbed(truth, 0.05, 0.5 * kDegree, 9));
+    REQUIRE(result.is_accepted);
+    CHECK(geometry::step_between(truth, result.target_from_source).tail<3>().norm() < 0.001);
+    int silent = 0;
+    for (const auto& patch : result.patches) {
+        const Eigen::Vector3d x = kFirst * patch.center;
+        const bool is_floor = std::abs(x.x()) < 1.2 && std::abs(x.y()) < 0.7 && x.z() < -0.3;
+        if (is_floor && patch.state != PatchState::Thin) {
+            CHECK(patch.weight == 0.0);
+            ++silent;
+        }
+    }
+    CHECK(silent > 0);
+}
+
+TEST_CASE("Scans that do not belong together are refused with the reason") {
+    const auto target = synthetic_ground(kFirst, {.seed = 10});
+    const Rigid3 truth = kFirst.inverse() * kSecond;
+    SECTION("an empty one") {
+        const auto result = align(target, {}, truth);
+        CHECK_FALSE(result.is_accepted);
+        CHECK_THAT(result.verdict, Catch::Contains("too little common ground"));
+    }
+    SECTION("far away") {
+        Rigid3 far = truth;
+        far.translation += Eigen::Vector3d(50.0, 0.0, 0.0);
+        CHECK_FALSE(align(target, synthetic_ground(kSecond, {.seed = 11}), far).is_accepted);
+    }
+    SECTION("a mirror image") {
+        const auto mirrored = synthetic_ground(kSecond, {.seed = 12, .is_mirrored = true});
+        CHECK_FALSE(align(target, mirrored, truth).is_accepted);
+    }
+}
+
+TEST_CASE("A bare plane leaves directions open and is refused") {
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> even(-4.0, 4.0);
+    std::vector<Eigen::Vector3d> plane;
+    for (int i = 0; i < 8000; ++i) plane.emplace_back(even(random), even(random), -1.6);
+    std::vector<Eigen::Vector3d> other;
+    for (int i = 0; i < 8000; ++i) other.emplace_back(even(random), even(random), -1.6);
+    const auto result = align(plane, other, disturbed(Rigid3{}, 0.02, 0.2 * kDegree, 14));
+    CHECK_FALSE(result.is_accepted);
+    INFO(result.verdict);
+    CHECK(result.verdict.starts_with("refused"));
+}
+
+TEST_CASE("Points that are not finite are left out, strays that are too far are named") {
+    auto points = synthetic_ground(kFirst, {.points = 100});
+    points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+    CHECK(prepare_scan(points).points == 100);
+    points.emplace_back(1e9, 0.0, 0.0);
+    CHECK_THROWS_AS(prepare_scan(points), Error);
+}
+
+TEST_CASE("The real pair comes near its reference") {
+    const auto folder = test::real_data("scans/pairs");
+    if (!folder) return;
+    FineOptions options;
+    options.levels = {{1.0, 2.0, 0.5, 20}, {0.5, 1.0, 0.1, 10}, {0.3, 0.6, 0.03, 10}};
+    options.neighbours = 10;
+    options.patch = 2.0;
+    const auto target = prepare_scan(test::read_ply_points(*folder / "small_gicp_target.ply"), options);
+    const auto source = prepare_scan(test::read_ply_points(*folder / "small_gicp_source.ply"), options);
+    const auto reference = test::read_matrix(*folder / "small_gicp_T_target_source.txt");
+    const auto result = align_scans(target, source, Rigid3{}, options);
+    REQUIRE(result.is_accepted);
+    const Vector6 error = geometry::step_between(reference, result.target_from_source);
+    CHECK(error.tail<3>().norm() < 0.030); // the reference itself is good to about 10 mm
+    CHECK(error.head<3>().norm() < 0.7 * kDegree);
+}
+
+TEST_CASE("Scans of a trench on two days meet again from 5 cm and 0.5° off") {
+    const auto folder = test::real_data("scans/trench");
+    if (!folder) return;
+    const auto load = [&](const char* stem) { return prepare_scan(test::read_ptx_points(*folder / (std::string(stem) + ".ptx"))); };
+    const auto pose = [&](const char* stem) { return test::read_matrix(*folder / (std::string(stem) + ".true_site_from_scan.txt")); };
+    const char* const first = "2012-05-01/station1";
+    const char* const second = "2012-05-02/station1";
+    const Rigid3 truth = pose(first).inverse() * pose(second);
+    const auto result = align_scans(load(first), load(second), disturbed(truth, 0.05, 0.5 * kDegree, 15));
+    REQUIRE(result.is_accepted);
+    const Vector6 error = geometry::step_between(truth, result.target_from_source);
+    CHECK(error.tail<3>().norm() < 0.001);
+    CHECK(error.head<3>().norm() < 0.01 * kDegree);
+}
