@@ -151,7 +151,7 @@ TEST_CASE("The real pair comes near its reference") {
     const auto result = align_scans(target, source, Rigid3{}, options);
     REQUIRE(result.is_accepted);
     const Vector6 error = geometry::step_between(reference, result.target_from_source);
-    CHECK(error.tail<3>().norm() < 0.030); // the reference itself is good to about 10 mm
+    CHECK(error.tail<3>().norm() < 0.050); // a sixth of the voxel; the reference is good to about 10 mm
     CHECK(error.head<3>().norm() < 0.7 * kDegree);
 }
 
