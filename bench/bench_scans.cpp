@@ -37,10 +37,14 @@ double peak_memory_mb() {
 }
 
 struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("planum-bench-{}", ::getpid());
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / fmt::format("planum-bench-{}", ::getpid());
+
     Folder() { std::filesystem::create_directories(path); }
+
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
+
     ~Folder() {
         std::error_code ignored;
         std::filesystem::remove_all(path, ignored);
@@ -63,9 +67,12 @@ std::string text_points(std::size_t rows, std::size_t columns, bool with_colour)
             const double az = 6.28 * static_cast<double>(c) / static_cast<double>(columns);
             const double el = 1.5 * static_cast<double>(r) / static_cast<double>(rows) - 0.9;
             const double range = 8.0 + 1e-3 * static_cast<double>(random() % 4000);
-            fmt::format_to(std::back_inserter(out), "{:.6f} {:.6f} {:.6f} {:.6f}", range * std::cos(el) * std::cos(az),
-                           range * std::cos(el) * std::sin(az), range * std::sin(el), static_cast<double>(random() % 4096) / 4096.0);
-            if (with_colour) fmt::format_to(std::back_inserter(out), " {} {} {}", random() % 256, random() % 256, random() % 256);
+            fmt::format_to(std::back_inserter(out), "{:.6f} {:.6f} {:.6f} {:.6f}",
+                           range * std::cos(el) * std::cos(az), range * std::cos(el) * std::sin(az),
+                           range * std::sin(el), static_cast<double>(random() % 4096) / 4096.0);
+            if (with_colour)
+                fmt::format_to(std::back_inserter(out), " {} {} {}", random() % 256, random() % 256,
+                               random() % 256);
             out.push_back('\n');
         }
     }
@@ -76,7 +83,8 @@ std::string binary_points(const std::string& header, std::size_t count) {
     std::mt19937 random(1);
     std::string out = header;
     for (std::size_t i = 0; i < count; ++i) {
-        for (int k = 0; k < 3; ++k) test::put_value(out, static_cast<float>(random() % 100000) / 1000.0F);
+        for (int k = 0; k < 3; ++k)
+            test::put_value(out, static_cast<float>(random() % 100000) / 1000.0F);
         test::put_value(out, static_cast<float>(random() % 4096) / 4096.0F);
     }
     return out;
@@ -92,11 +100,17 @@ void measure(const std::string& name, const std::filesystem::path& file) {
         std::unique_ptr<ScanReader> reader;
         open = std::min(open, seconds_of([&] { reader = open_scan(file, {}, Progress::none()); }));
         read = std::min(read, seconds_of([&] {
-            points = reader->read(0, [&](const PointBlock& block) { sum += block.x[0]; }, {}, Progress::none()).records;
-        }));
+                            points = reader
+                                         ->read(
+                                             0, [&](const PointBlock& block) { sum += block.x[0]; }, {},
+                                             Progress::none())
+                                         .records;
+                        }));
     }
-    fmt::print("{:<22} {:>8.1f} MB {:>9} points  open {:>6.3f} s  read {:>6.3f} s  {:>7.0f} MB/s {:>6.1f} M points/s\n", name,
-               megabytes, points, open, read, megabytes / read, static_cast<double>(points) / read / 1e6);
+    fmt::print("{:<22} {:>8.1f} MB {:>9} points  open {:>6.3f} s  read {:>6.3f} s  {:>7.0f} MB/s {:>6.1f} M "
+               "points/s\n",
+               name, megabytes, points, open, read, megabytes / read,
+               static_cast<double>(points) / read / 1e6);
     if (sum == 12345.0) fmt::print(" ");
 }
 
@@ -113,13 +127,18 @@ void bench_formats(const Folder& folder) {
     write(folder.path / "plain.3d", plain);
     write(folder.path / "five.e57", test::sample_e57(5000000));
     write(folder.path / "colour.las", test::sample_las({3, 2, kPoints, false}));
-    const std::string ply = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
-                                        "property float z\nproperty float intensity\nend_header\n", kPoints);
+    const std::string ply = fmt::format(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float intensity\nend_header\n",
+        kPoints);
     write(folder.path / "binary.ply", binary_points(ply, kPoints));
-    const std::string pcd = fmt::format("VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH {}\n"
-                                        "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA binary\n", kPoints, kPoints);
+    const std::string pcd = fmt::format(
+        "VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH {}\n"
+        "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA binary\n",
+        kPoints, kPoints);
     write(folder.path / "binary.pcd", binary_points(pcd, kPoints));
-    for (const char* name : {"plain.ptx", "colour.ptx", "colour.pts", "plain.xyz", "plain.3d", "five.e57", "colour.las", "binary.ply", "binary.pcd"}) {
+    for (const char* name : {"plain.ptx", "colour.ptx", "colour.pts", "plain.xyz", "plain.3d", "five.e57",
+                             "colour.las", "binary.ply", "binary.pcd"}) {
         measure(name, folder.path / name);
     }
 }
@@ -130,11 +149,14 @@ void bench_build(const Folder& folder) {
     options.extent = 40.0;
     const PointBlock cloud = test::surface_cloud(options);
     StoreSummary summary;
-    const double time = seconds_of([&] { summary = test::store_cloud(cloud, folder.path / "store.pts", {2ULL << 30U}); });
+    const double time =
+        seconds_of([&] { summary = test::store_cloud(cloud, folder.path / "store.pts", {2ULL << 30U}); });
     const auto points = static_cast<double>(summary.points);
-    fmt::print("store build from memory: {:.0f} points, {:.2f} s: {:.1f} M points/s; {:.3f} bytes a point for "
-               "coordinates, {:.3f} in all, {} nodes\n", points, time, points / time / 1e6,
-               static_cast<double>(summary.coordinate_bytes) / points, static_cast<double>(summary.file_bytes) / points, summary.nodes);
+    fmt::print(
+        "store build from memory: {:.0f} points, {:.2f} s: {:.1f} M points/s; {:.3f} bytes a point for "
+        "coordinates, {:.3f} in all, {} nodes\n",
+        points, time, points / time / 1e6, static_cast<double>(summary.coordinate_bytes) / points,
+        static_cast<double>(summary.file_bytes) / points, summary.nodes);
 }
 
 void bench_queries(const Folder& folder) {
@@ -148,7 +170,9 @@ void bench_queries(const Folder& folder) {
     const double cold = seconds_of(look);
     const double warm = std::min(seconds_of(look), seconds_of(look));
     std::size_t found = 0;
-    const double box = seconds_of([&] { store.in_box({{-2, -2, -5}, {2, 2, 5}}, [&](const FoundPoints& f) { found += f.points.size(); }); });
+    const double box = seconds_of([&] {
+        store.in_box({{-2, -2, -5}, {2, 2, 5}}, [&](const FoundPoints& f) { found += f.points.size(); });
+    });
     double sum = 0.0;
     const double nearest = seconds_of([&] {
         for (int i = 0; i < 1000; ++i) {
@@ -156,8 +180,10 @@ void bench_queries(const Folder& folder) {
             sum += hit ? hit->distance : 0.0;
         }
     });
-    fmt::print("store: open {:.2f} ms; frustum {} points first {:.0f} ms, warm {:.0f} ms; box {} points {:.1f} ms; nearest {:.0f} us a query; "
-               "verify {:.0f} ms\n", open * 1e3, given, cold * 1e3, warm * 1e3, found, box * 1e3, nearest * 1e3,
+    fmt::print("store: open {:.2f} ms; frustum {} points first {:.0f} ms, warm {:.0f} ms; box {} points "
+               "{:.1f} ms; nearest {:.0f} us a query; "
+               "verify {:.0f} ms\n",
+               open * 1e3, given, cold * 1e3, warm * 1e3, found, box * 1e3, nearest * 1e3,
                1e3 * seconds_of([&] { static_cast<void>(store.verify(Progress::none())); }));
     if (sum == 12345.0) fmt::print(" ");
 }
@@ -165,15 +191,20 @@ void bench_queries(const Folder& folder) {
 void bench_panorama(const Folder& folder) {
     PointBlock cloud;
     const auto reader = open_scan(folder.path / "plain.ptx", {}, Progress::none());
-    reader->read(0, [&](const PointBlock& block) {
-        cloud.x.insert(cloud.x.end(), block.x.begin(), block.x.end());
-        cloud.y.insert(cloud.y.end(), block.y.begin(), block.y.end());
-        cloud.z.insert(cloud.z.end(), block.z.begin(), block.z.end());
-        cloud.validity.insert(cloud.validity.end(), block.validity.begin(), block.validity.end());
-        cloud.intensity.insert(cloud.intensity.end(), block.intensity.begin(), block.intensity.end());
-    }, {}, Progress::none());
-    for (const ProjectionKind kind : {ProjectionKind::Equirectangular, ProjectionKind::Cylindrical, ProjectionKind::Mercator, ProjectionKind::Miller,
-                                      ProjectionKind::EqualArea, ProjectionKind::Rectilinear, ProjectionKind::Pannini, ProjectionKind::Stereographic}) {
+    reader->read(
+        0,
+        [&](const PointBlock& block) {
+            cloud.x.insert(cloud.x.end(), block.x.begin(), block.x.end());
+            cloud.y.insert(cloud.y.end(), block.y.begin(), block.y.end());
+            cloud.z.insert(cloud.z.end(), block.z.begin(), block.z.end());
+            cloud.validity.insert(cloud.validity.end(), block.validity.begin(), block.validity.end());
+            cloud.intensity.insert(cloud.intensity.end(), block.intensity.begin(), block.intensity.end());
+        },
+        {}, Progress::none());
+    for (const ProjectionKind kind :
+         {ProjectionKind::Equirectangular, ProjectionKind::Cylindrical, ProjectionKind::Mercator,
+          ProjectionKind::Miller, ProjectionKind::EqualArea, ProjectionKind::Rectilinear,
+          ProjectionKind::Pannini, ProjectionKind::Stereographic}) {
         PanoramaOptions options;
         options.projection.kind = kind;
         options.close_gap = 0;
@@ -182,27 +213,32 @@ void bench_panorama(const Folder& folder) {
         double best = 1e9;
         for (int run = 0; run < 3; ++run) {
             best = std::min(best, seconds_of([&] {
-                PanoramaBuilder builder(options, {true, false, false, false});
-                builder.add(cloud);
-                const Panorama panorama = builder.finish(Progress::none());
-                bytes = panorama.list_bytes();
-                points = panorama.points();
-            }));
+                                PanoramaBuilder builder(options, {true, false, false, false});
+                                builder.add(cloud);
+                                const Panorama panorama = builder.finish(Progress::none());
+                                bytes = panorama.list_bytes();
+                                points = panorama.points();
+                            }));
         }
-        fmt::print("panorama {:<16} {} points in the picture, {:.3f} s: {:.1f} M points/s; lists {:.2f} bytes a point\n", projection_name(kind), points, best,
-                   static_cast<double>(cloud.size()) / best / 1e6, static_cast<double>(bytes) / static_cast<double>(points));
+        fmt::print("panorama {:<16} {} points in the picture, {:.3f} s: {:.1f} M points/s; lists {:.2f} "
+                   "bytes a point\n",
+                   projection_name(kind), points, best, static_cast<double>(cloud.size()) / best / 1e6,
+                   static_cast<double>(bytes) / static_cast<double>(points));
     }
 }
 
 /// From a PTX with `columns` × 1000 points into its store, as `planum scan add` does it.
 void bench_import(const Folder& folder, std::size_t columns) {
-    write(folder.path / "large.ptx", test::ptx_header(static_cast<std::int64_t>(columns), 1000) + text_points(1000, columns, false));
+    write(folder.path / "large.ptx",
+          test::ptx_header(static_cast<std::int64_t>(columns), 1000) + text_points(1000, columns, false));
     StoreSummary summary;
     const double time = seconds_of([&] {
         const auto reader = open_scan(folder.path / "large.ptx", {}, Progress::none());
-        summary = build_store(*reader, 0, folder.path / "large.pts", store_info(reader->clouds()[0], "large", "", 0), {}, Progress::none());
+        summary = build_store(*reader, 0, folder.path / "large.pts",
+                              store_info(reader->clouds()[0], "large", "", 0), {}, Progress::none());
     });
-    fmt::print("import of a PTX with {} points: {:.2f} s, {:.1f} M points/s\n", summary.points, time, static_cast<double>(summary.points) / time / 1e6);
+    fmt::print("import of a PTX with {} points: {:.2f} s, {:.1f} M points/s\n", summary.points, time,
+               static_cast<double>(summary.points) / time / 1e6);
 }
 
 } // namespace

@@ -21,7 +21,8 @@ namespace planum::scans {
 namespace {
 
 [[noreturn]] void unsound(const std::string& what) {
-    throw Error(ErrorCode::BadInput, "no sound point store: " + what + "; make it anew from the original scan");
+    throw Error(ErrorCode::BadInput,
+                "no sound point store: " + what + "; make it anew from the original scan");
 }
 
 // Wide enough that no sum of two of them overflows.
@@ -39,7 +40,9 @@ FileMap::FileMap(const std::filesystem::path& file) {
         const ErrorCode code = errno == ENOENT ? ErrorCode::NotFound : ErrorCode::Io;
         throw Error(code, std::string("cannot be opened: ") + std::strerror(errno));
     }
+
     struct stat status {};
+
     void* mapped = MAP_FAILED;
     if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
         size_ = static_cast<std::size_t>(status.st_size);
@@ -56,7 +59,8 @@ FileMap::~FileMap() {
 
 PointStore::State::State(const std::filesystem::path& path) : file(path), map(path) {
     check_header();
-    nodes = {reinterpret_cast<const StoreNodeRecord*>(map.bytes().data() + header.nodes_at), static_cast<std::size_t>(header.nodes)};
+    nodes = {reinterpret_cast<const StoreNodeRecord*>(map.bytes().data() + header.nodes_at),
+             static_cast<std::size_t>(header.nodes)};
     check_nodes();
     read_text();
     checked = std::vector<std::atomic<std::uint8_t>>(nodes.size());
@@ -68,21 +72,29 @@ void PointStore::State::check_header() {
     std::memcpy(&header, bytes.data(), sizeof header);
     if (header.magic != kStoreMagic) unsound("it does not start as one");
     if (header.version != kStoreVersion) {
-        throw Error(ErrorCode::BadInput, fmt::format("point store of version {}, this program knows {}", header.version, kStoreVersion));
+        throw Error(ErrorCode::BadInput, fmt::format("point store of version {}, this program knows {}",
+                                                     header.version, kStoreVersion));
     }
-    if (crc32c(bytes.first(offsetof(StoreHeaderRecord, header_checksum))) != header.header_checksum) unsound("its header is damaged");
+    if (crc32c(bytes.first(offsetof(StoreHeaderRecord, header_checksum))) != header.header_checksum)
+        unsound("its header is damaged");
     if (header.file_bytes != bytes.size() || header.file_bytes > kLargestFile) {
         unsound(fmt::format("{} bytes instead of {}", bytes.size(), header.file_bytes));
     }
     // No number is believed because a checksum fits: whoever writes the file can write that, too.
-    const bool nodes_fit = header.nodes_at <= bytes.size() && header.nodes_at % alignof(StoreNodeRecord) == 0 &&
+    const bool nodes_fit = header.nodes_at <= bytes.size() &&
+                           header.nodes_at % alignof(StoreNodeRecord) == 0 &&
                            header.nodes <= (bytes.size() - header.nodes_at) / sizeof(StoreNodeRecord) &&
                            header.nodes < 0xFFFFFFFFULL && header.roots <= header.nodes;
-    const bool text_fits = header.text_at <= bytes.size() && header.text_bytes <= bytes.size() - header.text_at;
+    const bool text_fits =
+        header.text_at <= bytes.size() && header.text_bytes <= bytes.size() - header.text_at;
     if (!nodes_fit || !text_fits) unsound("its tables lie outside of it");
-    if (header.root_edge != kRootEdge || !vector_of(header.origin).allFinite()) unsound("its frame is impossible");
-    if (crc32c(bytes.subspan(header.nodes_at, header.nodes * sizeof(StoreNodeRecord))) != header.nodes_checksum) unsound("its node table is damaged");
-    if (crc32c(bytes.subspan(header.text_at, header.text_bytes)) != header.text_checksum) unsound("its description is damaged");
+    if (header.root_edge != kRootEdge || !vector_of(header.origin).allFinite())
+        unsound("its frame is impossible");
+    if (crc32c(bytes.subspan(header.nodes_at, header.nodes * sizeof(StoreNodeRecord))) !=
+        header.nodes_checksum)
+        unsound("its node table is damaged");
+    if (crc32c(bytes.subspan(header.text_at, header.text_bytes)) != header.text_checksum)
+        unsound("its description is damaged");
     bounds = {header.minimum, header.maximum};
 }
 
@@ -90,7 +102,8 @@ void PointStore::State::check_children(std::size_t node) const {
     const StoreNodeRecord& n = nodes[node];
     const auto count = static_cast<std::size_t>(std::popcount(n.child_mask));
     if (count == 0) return;
-    if (n.depth >= kDeepest || n.first_child <= node || n.first_child + count > nodes.size()) unsound(fmt::format("children of node {}", node));
+    if (n.depth >= kDeepest || n.first_child <= node || n.first_child + count > nodes.size())
+        unsound(fmt::format("children of node {}", node));
     std::size_t at = n.first_child;
     for (unsigned octant = 0; octant < 8; ++octant) {
         if ((n.child_mask >> octant & 1U) == 0) continue;
@@ -109,7 +122,8 @@ void PointStore::State::check_nodes() const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const StoreNodeRecord& n = nodes[i];
         const std::uint64_t bytes = (stored_bytes(header.flags) * n.points + 7) / 8 * 8;
-        if (n.block_at % 8 != 0 || n.block_at > header.nodes_at || bytes > header.nodes_at - n.block_at || n.depth > kDeepest) {
+        if (n.block_at % 8 != 0 || n.block_at > header.nodes_at || bytes > header.nodes_at - n.block_at ||
+            n.depth > kDeepest) {
             unsound(fmt::format("the block of node {} lies outside of it", i));
         }
         const std::int64_t reach = static_cast<std::int64_t>(kFarthestRoot) << n.depth;
@@ -127,8 +141,11 @@ void PointStore::State::read_text() {
     info.has.intensity = (header.flags & kStoreIntensity) != 0;
     info.has.grid = (header.flags & kStoreGrid) != 0;
     info.has.colour = (header.flags & kStoreColour) != 0;
-    const auto number = [](std::string_view value) { return static_cast<std::uint64_t>(text::parse_integer(value).value_or(0)); };
-    for (const std::string_view line : text::split({map.bytes().data() + header.text_at, static_cast<std::size_t>(header.text_bytes)}, '\n')) {
+    const auto number = [](std::string_view value) {
+        return static_cast<std::uint64_t>(text::parse_integer(value).value_or(0));
+    };
+    for (const std::string_view line : text::split(
+             {map.bytes().data() + header.text_at, static_cast<std::size_t>(header.text_bytes)}, '\n')) {
         const std::size_t cut = line.find(' ');
         if (cut == std::string_view::npos) continue;
         const std::string_view key = line.substr(0, cut);
@@ -173,8 +190,11 @@ NodeView PointStore::State::view(std::uint32_t node) const {
     const StoreNodeRecord& n = nodes[node];
     if (checked[node].load(std::memory_order_relaxed) == 0) {
         if (!is_sound(node)) {
-            throw Error(ErrorCode::BadInput, fmt::format("{}: block {} with {} points is damaged; make the store anew from the original scan",
-                                                         file.string(), node, n.points));
+            throw Error(
+                ErrorCode::BadInput,
+                fmt::format(
+                    "{}: block {} with {} points is damaged; make the store anew from the original scan",
+                    file.string(), node, n.points));
         }
         checked[node].store(1, std::memory_order_relaxed);
     }
@@ -182,7 +202,8 @@ NodeView PointStore::State::view(std::uint32_t node) const {
     const double edge = std::ldexp(kRootEdge, -n.depth);
     view.step = edge / 65536.0;
     for (int k = 0; k < 3; ++k) {
-        view.corner[k] = header.origin[static_cast<std::size_t>(k)] + edge * n.cell[static_cast<std::size_t>(k)];
+        view.corner[k] =
+            header.origin[static_cast<std::size_t>(k)] + edge * n.cell[static_cast<std::size_t>(k)];
     }
     view.count = n.points;
     const auto* at = reinterpret_cast<const std::uint16_t*>(block_of(node).data());
@@ -191,7 +212,8 @@ NodeView PointStore::State::view(std::uint32_t node) const {
         at += n.points;
         return here;
     };
-    for (const std::uint16_t*& axis : view.axis) axis = next();
+    for (const std::uint16_t*& axis : view.axis)
+        axis = next();
     if (info.has.intensity) view.intensity = next();
     if (info.has.grid) {
         view.row = next();

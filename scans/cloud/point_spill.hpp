@@ -16,6 +16,7 @@ namespace planum::scans {
 class SpillFile {
   public:
     explicit SpillFile(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
     SpillFile(const SpillFile&) = delete;
     SpillFile& operator=(const SpillFile&) = delete;
     ~SpillFile();
@@ -49,7 +50,8 @@ class PointBucket {
     void spill(SpillFile& file);
 
     /// Hands all points over in order, in pieces.
-    void for_each_piece(const SpillFile& file, const std::function<void(std::span<const PackedPoint>)>& take) const;
+    void for_each_piece(const SpillFile& file,
+                        const std::function<void(std::span<const PackedPoint>)>& take) const;
 
     /// All points in one array; the bucket is empty afterwards.
     [[nodiscard]] std::vector<PackedPoint> take_all(const SpillFile& file);

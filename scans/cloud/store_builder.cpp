@@ -54,7 +54,8 @@ class Sampler {
         // At depth d the node's own bits start at 31 - d; near the deepest level fewer than six are left.
         const unsigned shift = 32U - depth_ - kSampleBits;
         constexpr std::uint32_t kMask = (1U << kSampleBits) - 1U;
-        const std::size_t cell = ((point.place[0] >> shift) & kMask) | ((point.place[1] >> shift) & kMask) << kSampleBits |
+        const std::size_t cell = ((point.place[0] >> shift) & kMask) |
+                                 ((point.place[1] >> shift) & kMask) << kSampleBits |
                                  ((point.place[2] >> shift) & kMask) << (2U * kSampleBits);
         if (taken_[cell]) return false;
         taken_[cell] = true;
@@ -73,16 +74,19 @@ static_assert(32U - kDeepest >= kSampleBits);
 class CoarseToFine {
   public:
     [[nodiscard]] std::span<const PackedPoint> order(std::span<const PackedPoint> points, unsigned depth) {
-        for (std::vector<bool>& level : taken_) std::fill(level.begin(), level.end(), false);
+        for (std::vector<bool>& level : taken_)
+            std::fill(level.begin(), level.end(), false);
         std::array<std::size_t, kLevels + 2> from{};
         levels_.resize(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             levels_[i] = level_of(points[i], depth);
             ++from[levels_[i] + 1U];
         }
-        for (std::size_t level = 1; level < from.size(); ++level) from[level] += from[level - 1];
+        for (std::size_t level = 1; level < from.size(); ++level)
+            from[level] += from[level - 1];
         ordered_.resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) ordered_[from[levels_[i]]++] = points[i];
+        for (std::size_t i = 0; i < points.size(); ++i)
+            ordered_[from[levels_[i]]++] = points[i];
         return ordered_;
     }
 
@@ -95,7 +99,8 @@ class CoarseToFine {
         for (unsigned bits = kLevels; bits >= 1; --bits) {
             const unsigned shift = 32U - depth - bits;
             const std::uint32_t mask = (1U << bits) - 1U;
-            const std::size_t cell = ((point.place[0] >> shift) & mask) | ((point.place[1] >> shift) & mask) << bits |
+            const std::size_t cell = ((point.place[0] >> shift) & mask) |
+                                     ((point.place[1] >> shift) & mask) << bits |
                                      ((point.place[2] >> shift) & mask) << (2U * bits);
             if (taken_[bits - 1][cell]) break;
             taken_[bits - 1][cell] = true;
@@ -104,8 +109,9 @@ class CoarseToFine {
         return level;
     }
 
-    std::array<std::vector<bool>, kLevels> taken_ = {std::vector<bool>(1U << 3U), std::vector<bool>(1U << 6U), std::vector<bool>(1U << 9U),
-                                                     std::vector<bool>(1U << 12U), std::vector<bool>(1U << 15U)};
+    std::array<std::vector<bool>, kLevels> taken_ = {
+        std::vector<bool>(1U << 3U), std::vector<bool>(1U << 6U), std::vector<bool>(1U << 9U),
+        std::vector<bool>(1U << 12U), std::vector<bool>(1U << 15U)};
     std::vector<std::uint8_t> levels_;
     std::vector<PackedPoint> ordered_;
 };
@@ -127,7 +133,8 @@ StoreNodeRecord empty_node(const Cell& cell, unsigned depth) noexcept {
 }
 
 Cell child_cell(const Cell& cell, unsigned octant) noexcept {
-    return {2 * cell[0] + static_cast<std::int32_t>(octant & 1U), 2 * cell[1] + static_cast<std::int32_t>(octant >> 1U & 1U),
+    return {2 * cell[0] + static_cast<std::int32_t>(octant & 1U),
+            2 * cell[1] + static_cast<std::int32_t>(octant >> 1U & 1U),
             2 * cell[2] + static_cast<std::int32_t>(octant >> 2U & 1U)};
 }
 
@@ -143,7 +150,8 @@ std::string info_text(const StoreInfo& info) {
     line("intensity_scale", fmt::format("{}", info.intensity.scale));
     line("rows", fmt::format("{}", info.rows));
     line("columns", fmt::format("{}", info.columns));
-    for (const std::string& attribute : info.attributes) line("attribute", attribute);
+    for (const std::string& attribute : info.attributes)
+        line("attribute", attribute);
     return out;
 }
 
@@ -153,7 +161,8 @@ struct StoreBuilder::State {
     State(const std::filesystem::path& target, StoreInfo stored, StoreOptions chosen)
         : file(target), spill(target.has_parent_path() ? target.parent_path() : std::filesystem::path(".")),
           info(std::move(stored)), options(chosen) {
-        header.flags = (info.has.intensity ? kStoreIntensity : 0U) | (info.has.grid ? kStoreGrid : 0U) | (info.has.colour ? kStoreColour : 0U);
+        header.flags = (info.has.intensity ? kStoreIntensity : 0U) | (info.has.grid ? kStoreGrid : 0U) |
+                       (info.has.colour ? kStoreColour : 0U);
         const std::array<char, sizeof(StoreHeaderRecord)> room{};
         file.append(room);
     }
@@ -172,13 +181,15 @@ struct StoreBuilder::State {
     }
 
     void spill_all() {
-        for (auto& [cell, bucket] : roots) bucket.spill(spill);
+        for (auto& [cell, bucket] : roots)
+            bucket.spill(spill);
         in_memory = 0;
     }
 
     std::int64_t build_bucket(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter);
     std::int64_t divide_on_disk(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter);
-    std::int64_t build_in_memory(std::span<PackedPoint> points, std::span<PackedPoint> scratch, const Cell& cell, unsigned depth);
+    std::int64_t build_in_memory(std::span<PackedPoint> points, std::span<PackedPoint> scratch,
+                                 const Cell& cell, unsigned depth);
     void write_block(StoreNodeRecord& node, std::span<const PackedPoint> unordered);
     std::vector<StoreNodeRecord> ordered_nodes(const std::vector<std::int64_t>& root_nodes) const;
 
@@ -218,7 +229,8 @@ void StoreBuilder::add(const PointBlock& block) {
         if (block.validity[i] != Validity::Valid) continue;
         const std::array<double, 3> x = {block.x[i], block.y[i], block.z[i]};
         if (!s.has_origin) {
-            for (std::size_t axis = 0; axis < 3; ++axis) s.header.origin[axis] = std::floor(x[axis] / kRootEdge) * kRootEdge;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                s.header.origin[axis] = std::floor(x[axis] / kRootEdge) * kRootEdge;
             s.has_origin = true;
         }
         PackedPoint point;
@@ -231,7 +243,8 @@ void StoreBuilder::add(const PointBlock& block) {
             if (!near) break;
             cell[axis] = static_cast<std::int32_t>(whole);
             // Just below the next cube rounding may give 1.0 exactly.
-            point.place[axis] = static_cast<std::uint32_t>(std::min((along - whole) * 4294967296.0, 4294967295.0));
+            point.place[axis] =
+                static_cast<std::uint32_t>(std::min((along - whole) * 4294967296.0, 4294967295.0));
         }
         if (!near) {
             ++s.too_far;
@@ -269,7 +282,8 @@ void StoreBuilder::State::write_block(StoreNodeRecord& node, std::span<const Pac
         }
     };
     const unsigned depth = node.depth;
-    for (std::size_t axis = 0; axis < 3; ++axis) put([&](const PackedPoint& p) { return p.step(axis, depth); });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        put([&](const PackedPoint& p) { return p.step(axis, depth); });
     if ((header.flags & kStoreIntensity) != 0) put([](const PackedPoint& p) { return p.intensity; });
     if ((header.flags & kStoreGrid) != 0) {
         put([](const PackedPoint& p) { return p.row; });
@@ -289,13 +303,15 @@ void StoreBuilder::State::write_block(StoreNodeRecord& node, std::span<const Pac
     written += count;
 }
 
-std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points, std::span<PackedPoint> scratch,
-                                                  const Cell& cell, unsigned depth) {
+std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points,
+                                                  std::span<PackedPoint> scratch, const Cell& cell,
+                                                  unsigned depth) {
     const auto index = static_cast<std::int64_t>(nodes.size());
     nodes.emplace_back();
     StoreNodeRecord node = empty_node(cell, depth);
     node.subtree_points = points.size();
-    for (const PackedPoint& point : points) widen(node, point);
+    for (const PackedPoint& point : points)
+        widen(node, point);
     if (points.size() <= kLeafPoints || depth == kDeepest) {
         write_block(node, points);
         nodes[static_cast<std::size_t>(index)].record = node;
@@ -312,14 +328,17 @@ std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points,
         ++counts[code];
     }
     std::array<std::size_t, 9> from{};
-    for (std::size_t code = 1; code < 9; ++code) from[code] = from[code - 1] + counts[code - 1];
+    for (std::size_t code = 1; code < 9; ++code)
+        from[code] = from[code - 1] + counts[code - 1];
     std::array<std::size_t, 9> to = from;
-    for (std::size_t i = 0; i < points.size(); ++i) scratch[to[codes[i]]++] = points[i];
+    for (std::size_t i = 0; i < points.size(); ++i)
+        scratch[to[codes[i]]++] = points[i];
     write_block(node, scratch.subspan(from[kKept], counts[kKept]));
     for (unsigned octant = 0; octant < 8; ++octant) {
         if (counts[octant] == 0) continue;
         node.child_mask = static_cast<std::uint8_t>(node.child_mask | 1U << octant);
-        const std::int64_t child = build_in_memory(scratch.subspan(from[octant], counts[octant]), points.subspan(from[octant], counts[octant]),
+        const std::int64_t child = build_in_memory(scratch.subspan(from[octant], counts[octant]),
+                                                   points.subspan(from[octant], counts[octant]),
                                                    child_cell(cell, octant), depth + 1);
         nodes[static_cast<std::size_t>(index)].children[octant] = child;
     }
@@ -328,7 +347,8 @@ std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points,
 }
 
 // A cube with more points than fit: the sample stays in memory, the rest goes to eight buckets.
-std::int64_t StoreBuilder::State::divide_on_disk(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter) {
+std::int64_t StoreBuilder::State::divide_on_disk(PointBucket& bucket, const Cell& cell, unsigned depth,
+                                                 Meter& meter) {
     const auto index = static_cast<std::int64_t>(nodes.size());
     nodes.emplace_back();
     StoreNodeRecord node = empty_node(cell, depth);
@@ -339,8 +359,10 @@ std::int64_t StoreBuilder::State::divide_on_disk(PointBucket& bucket, const Cell
     bucket.for_each_piece(spill, [&](std::span<const PackedPoint> piece) {
         for (const PackedPoint& point : piece) {
             widen(node, point);
-            if (sampler->keeps(point)) sample.push_back(point);
-            else add_point(point, parts[point.octant(depth)]);
+            if (sampler->keeps(point))
+                sample.push_back(point);
+            else
+                add_point(point, parts[point.octant(depth)]);
         }
         if (in_memory <= options.memory_bytes) return;
         for (PointBucket& part : parts) {
@@ -362,11 +384,14 @@ std::int64_t StoreBuilder::State::divide_on_disk(PointBucket& bucket, const Cell
     return index;
 }
 
-std::int64_t StoreBuilder::State::build_bucket(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter) {
+std::int64_t StoreBuilder::State::build_bucket(PointBucket& bucket, const Cell& cell, unsigned depth,
+                                               Meter& meter) {
     meter.at(written);
     const bool fits = bucket.count() * 2 * sizeof(PackedPoint) <= options.memory_bytes;
-    if (!fits && bucket.count() > kLeafPoints && depth < kDeepest) return divide_on_disk(bucket, cell, depth, meter);
-    if (bucket.count() > 0xFFFFFFFFULL) throw Error(ErrorCode::BadInput, "over four thousand million points within a tenth of a millimetre");
+    if (!fits && bucket.count() > kLeafPoints && depth < kDeepest)
+        return divide_on_disk(bucket, cell, depth, meter);
+    if (bucket.count() > 0xFFFFFFFFULL)
+        throw Error(ErrorCode::BadInput, "over four thousand million points within a tenth of a millimetre");
     in_memory -= bucket.memory();
     std::vector<PackedPoint> points = bucket.take_all(spill);
     std::vector<PackedPoint> scratch(points.size() > kLeafPoints ? points.size() : 0);
@@ -374,14 +399,16 @@ std::int64_t StoreBuilder::State::build_bucket(PointBucket& bucket, const Cell& 
 }
 
 // Level by level, so that the children of a node stand together behind it.
-std::vector<StoreNodeRecord> StoreBuilder::State::ordered_nodes(const std::vector<std::int64_t>& root_nodes) const {
+std::vector<StoreNodeRecord>
+StoreBuilder::State::ordered_nodes(const std::vector<std::int64_t>& root_nodes) const {
     std::vector<std::int64_t> order = root_nodes;
     std::vector<StoreNodeRecord> records;
     records.reserve(nodes.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const BuiltNode& node = nodes[static_cast<std::size_t>(order[i])];
         records.push_back(node.record);
-        if (node.record.child_mask != 0) records.back().first_child = static_cast<std::uint32_t>(order.size());
+        if (node.record.child_mask != 0)
+            records.back().first_child = static_cast<std::uint32_t>(order.size());
         for (const std::int64_t child : node.children) {
             if (child >= 0) order.push_back(child);
         }
@@ -393,10 +420,12 @@ StoreSummary StoreBuilder::finish(Progress& progress) {
     State& s = *state_;
     Meter meter(progress, s.header.points);
     std::vector<std::int64_t> root_nodes;
-    for (auto& [cell, bucket] : s.roots) root_nodes.push_back(s.build_bucket(bucket, cell, 0, meter));
+    for (auto& [cell, bucket] : s.roots)
+        root_nodes.push_back(s.build_bucket(bucket, cell, 0, meter));
     meter.at(s.header.points);
     const std::vector<StoreNodeRecord> records = s.ordered_nodes(root_nodes);
-    const std::span<const char> node_bytes(reinterpret_cast<const char*>(records.data()), records.size() * sizeof(StoreNodeRecord));
+    const std::span<const char> node_bytes(reinterpret_cast<const char*>(records.data()),
+                                           records.size() * sizeof(StoreNodeRecord));
     const std::string text = info_text(s.info);
     StoreHeaderRecord& header = s.header;
     header.minimum = s.bounds.minimum;
@@ -424,7 +453,8 @@ StoreSummary StoreBuilder::finish(Progress& progress) {
     return summary;
 }
 
-StoreInfo store_info(const CloudHeader& header, std::string name, std::string source_sha256, std::uint64_t source_cloud) {
+StoreInfo store_info(const CloudHeader& header, std::string name, std::string source_sha256,
+                     std::uint64_t source_cloud) {
     StoreInfo info;
     info.name = std::move(name);
     info.source_sha256 = std::move(source_sha256);
@@ -439,11 +469,12 @@ StoreInfo store_info(const CloudHeader& header, std::string name, std::string so
     return info;
 }
 
-StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file, StoreInfo info,
-                         const StoreOptions& options, Progress& progress) {
+StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file,
+                         StoreInfo info, const StoreOptions& options, Progress& progress) {
     StoreBuilder builder(file, std::move(info), options);
     progress.step("reading " + file.stem().string());
-    reader.read(cloud, [&](const PointBlock& block) { builder.add(block); }, {}, progress);
+    reader.read(
+        cloud, [&](const PointBlock& block) { builder.add(block); }, {}, progress);
     progress.step("sorting " + file.stem().string());
     return builder.finish(progress);
 }

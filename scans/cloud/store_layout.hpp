@@ -11,7 +11,8 @@ namespace planum::scans {
 
 // The bytes of a point store; docs/formats/point-store.md describes them in words.
 
-static_assert(std::endian::native == std::endian::little, "point stores are little-endian and mapped as they are");
+static_assert(std::endian::native == std::endian::little,
+              "point stores are little-endian and mapped as they are");
 
 inline constexpr std::array<char, 8> kStoreMagic = {'P', 'L', 'N', 'M', 'P', 'T', 'S', '\n'};
 inline constexpr std::uint32_t kStoreVersion = 1;
@@ -35,7 +36,7 @@ struct StoreHeaderRecord {
     std::uint32_t flags = 0;
     std::uint64_t file_bytes = 0;
     std::uint64_t points = 0;
-    std::array<double, 3> origin{}; ///< [m] in the scan's frame, a multiple of kRootEdge
+    std::array<double, 3> origin{};  ///< [m] in the scan's frame, a multiple of kRootEdge
     std::array<double, 3> minimum{}; ///< bounds of the points as they came, before rounding
     std::array<double, 3> maximum{};
     double root_edge = kRootEdge;
@@ -49,21 +50,23 @@ struct StoreHeaderRecord {
     std::uint32_t reserved = 0;
     std::uint32_t header_checksum = 0; ///< of all before it
 };
+
 static_assert(sizeof(StoreHeaderRecord) == 168);
 
 struct StoreNodeRecord {
-    std::uint64_t block_at = 0;        ///< [byte]; a multiple of 8
-    std::uint64_t subtree_points = 0;  ///< here and below
-    std::uint32_t points = 0;          ///< here
-    std::uint32_t checksum = 0;        ///< CRC-32C of the block
+    std::uint64_t block_at = 0;         ///< [byte]; a multiple of 8
+    std::uint64_t subtree_points = 0;   ///< here and below
+    std::uint32_t points = 0;           ///< here
+    std::uint32_t checksum = 0;         ///< CRC-32C of the block
     std::array<std::int32_t, 3> cell{}; ///< cube index at this depth, counted from the origin
-    std::uint32_t first_child = 0;     ///< children stand together, in the order of their octants
+    std::uint32_t first_child = 0;      ///< children stand together, in the order of their octants
     std::array<std::uint16_t, 3> low{}; ///< bounds of all points here and below, in this node's steps
     std::array<std::uint16_t, 3> high{};
     std::uint8_t depth = 0;
     std::uint8_t child_mask = 0; ///< bit o: octant o has a child; o = x + 2y + 4z
     std::uint16_t reserved = 0;
 };
+
 static_assert(sizeof(StoreNodeRecord) == 56);
 
 /// Bytes a point takes in a block.
@@ -83,7 +86,8 @@ struct PackedPoint {
     /// Which octant of a node at `depth` it lies in.
     [[nodiscard]] unsigned octant(unsigned depth) const noexcept {
         const unsigned shift = 31U - depth;
-        return ((place[0] >> shift) & 1U) | ((place[1] >> shift) & 1U) << 1U | ((place[2] >> shift) & 1U) << 2U;
+        return ((place[0] >> shift) & 1U) | ((place[1] >> shift) & 1U) << 1U |
+               ((place[2] >> shift) & 1U) << 2U;
     }
 
     /// Its 16 bits within a node at `depth`.
@@ -91,6 +95,7 @@ struct PackedPoint {
         return static_cast<std::uint16_t>(place[axis] >> (16U - depth));
     }
 };
+
 static_assert(sizeof(PackedPoint) == 24);
 
 } // namespace planum::scans

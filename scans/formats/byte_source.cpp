@@ -17,8 +17,9 @@ namespace {
 
 void check_range(std::uint64_t offset, std::uint64_t count, std::uint64_t size) {
     if (offset > size || count > size - offset) {
-        throw Error(ErrorCode::BadInput, fmt::format("ends too early: {} bytes wanted at byte {}, the file has {}",
-                                                     count, offset, size));
+        throw Error(
+            ErrorCode::BadInput,
+            fmt::format("ends too early: {} bytes wanted at byte {}, the file has {}", count, offset, size));
     }
 }
 
@@ -30,7 +31,9 @@ class FileSource final : public ByteSource {
             const ErrorCode code = errno == ENOENT ? ErrorCode::NotFound : ErrorCode::Io;
             throw Error(code, std::string("cannot be opened: ") + std::strerror(errno));
         }
+
         struct stat status {};
+
         if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
             ::close(descriptor_);
             throw Error(ErrorCode::BadInput, "not an ordinary file");

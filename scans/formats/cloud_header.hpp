@@ -60,7 +60,7 @@ struct CloudHeader {
     /// x_in_site = site_from_scan * x_in_scan as the file says; only a start value for registration.
     Eigen::Isometry3d site_from_scan = Eigen::Isometry3d::Identity();
     bool has_pose = false;
-    std::string sensor; ///< vendor, model, serial number
+    std::string sensor;        ///< vendor, model, serial number
     std::string acquired_from; ///< ISO time UTC, or empty
     std::string acquired_to;
     std::string time_zero;               ///< from where the points' times count, in words

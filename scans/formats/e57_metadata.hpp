@@ -14,13 +14,13 @@ namespace planum::scans {
 /// One scan as the XML part describes it.
 struct E57Cloud {
     CloudHeader header;
-    std::vector<E57Field> fields;     ///< in the order of the byte streams
-    std::uint64_t points_offset = 0;  ///< physical
-    std::int64_t first_row = 0;       ///< rowIndex of our row 0
+    std::vector<E57Field> fields;    ///< in the order of the byte streams
+    std::uint64_t points_offset = 0; ///< physical
+    std::int64_t first_row = 0;      ///< rowIndex of our row 0
     std::int64_t first_column = 0;
-    bool grid_stated = false;         ///< the XML says how many rows and columns there are
-    Limits colour;                    ///< what becomes 0 … 255
-    bool cartesian = false;           ///< else spherical, or nothing at all
+    bool grid_stated = false; ///< the XML says how many rows and columns there are
+    Limits colour;            ///< what becomes 0 … 255
+    bool cartesian = false;   ///< else spherical, or nothing at all
 };
 
 struct E57Image {

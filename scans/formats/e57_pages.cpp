@@ -37,12 +37,14 @@ E57Pages::E57Pages(const ByteSource& source) : source_(&source) {
     header_.xml_offset = little_endian<std::uint64_t>(bytes.data() + 24);
     header_.xml_length = little_endian<std::uint64_t>(bytes.data() + 32);
     header_.page_size = little_endian<std::uint64_t>(bytes.data() + 40);
-    if (header_.page_size < 64 || header_.page_size > kWindowBytes || !std::has_single_bit(header_.page_size)) {
-        bad(fmt::format("pages of {} bytes; a power of two from 64 to {} is expected", header_.page_size, kWindowBytes));
+    if (header_.page_size < 64 || header_.page_size > kWindowBytes ||
+        !std::has_single_bit(header_.page_size)) {
+        bad(fmt::format("pages of {} bytes; a power of two from 64 to {} is expected", header_.page_size,
+                        kWindowBytes));
     }
     if (header_.file_length != source.size()) {
-        bad(fmt::format("the header says {} bytes, the file has {}: cut short or damaged", header_.file_length,
-                        source.size()));
+        bad(fmt::format("the header says {} bytes, the file has {}: cut short or damaged",
+                        header_.file_length, source.size()));
     }
     if (source.size() % header_.page_size != 0) {
         bad(fmt::format("{} bytes are no whole number of pages of {}", source.size(), header_.page_size));
@@ -55,13 +57,15 @@ E57Pages::E57Pages(const ByteSource& source) : source_(&source) {
 std::uint64_t E57Pages::logical_of(std::uint64_t physical) const {
     const std::uint64_t page = physical / header_.page_size;
     const std::uint64_t within = physical % header_.page_size;
-    if (page >= pages_) bad(fmt::format("offset {} lies beyond the {} bytes of the file", physical, source_->size()));
+    if (page >= pages_)
+        bad(fmt::format("offset {} lies beyond the {} bytes of the file", physical, source_->size()));
     if (within >= payload_) bad(fmt::format("offset {} points into the checksum of page {}", physical, page));
     return page * payload_ + within;
 }
 
 void E57Pages::load(std::uint64_t first_page) const {
-    const std::uint64_t count = std::min(pages_ - first_page, std::max<std::uint64_t>(kWindowBytes / header_.page_size, 1));
+    const std::uint64_t count =
+        std::min(pages_ - first_page, std::max<std::uint64_t>(kWindowBytes / header_.page_size, 1));
     const auto page_size = static_cast<std::size_t>(header_.page_size);
     const auto payload = static_cast<std::size_t>(payload_);
     window_pages_ = 0; // invalid while it is being filled

@@ -28,6 +28,7 @@ class E57Pages {
     explicit E57Pages(const ByteSource& source);
 
     [[nodiscard]] const E57FileHeader& header() const noexcept { return header_; }
+
     [[nodiscard]] std::uint64_t logical_size() const noexcept { return pages_ * payload_; }
 
     /// Throws BadInput for an offset beyond the end or inside a checksum.
@@ -53,11 +54,12 @@ class E57Pages {
 };
 
 /// Little-endian numbers out of bytes.
-template <class T>
+template<class T>
 [[nodiscard]] T little_endian(const char* bytes) noexcept {
     T value = 0;
     for (std::size_t i = sizeof(T); i-- > 0;) {
-        value = static_cast<T>(static_cast<T>(value << 7U << 1U) | static_cast<T>(static_cast<unsigned char>(bytes[i])));
+        value = static_cast<T>(static_cast<T>(value << 7U << 1U) |
+                               static_cast<T>(static_cast<unsigned char>(bytes[i])));
     }
     return value;
 }

@@ -14,15 +14,15 @@ namespace {
 
 // GPS seconds at which each leap second since 1980 was over (IERS Bulletin C; none since 2017).
 constexpr std::array<std::int64_t, 18> kLeapSeconds = {
-    46828801,  78364802,  109900803, 173059204, 252028805, 315187206,  346723207,  393984008,  425520009,
-    457056010, 504489611, 551750412, 599184013, 820108814, 914803215,  1025136016, 1119744017, 1167264018};
+    46828801,  78364802,  109900803, 173059204, 252028805, 315187206, 346723207,  393984008,  425520009,
+    457056010, 504489611, 551750412, 599184013, 820108814, 914803215, 1025136016, 1119744017, 1167264018};
 
 constexpr std::int64_t kGpsStartInUnix = 315964800; // 1980-01-06
 
 std::string iso_date(std::chrono::sys_days day) {
     const std::chrono::year_month_day date{day};
-    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                       static_cast<unsigned>(date.day()));
+    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
+                       static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
 }
 
 } // namespace

@@ -29,7 +29,9 @@ class LineReader {
     std::uint64_t skip(std::uint64_t lines);
 
     [[nodiscard]] const char* begin() const noexcept { return line_; }
+
     [[nodiscard]] const char* end() const noexcept { return line_end_; }
+
     [[nodiscard]] std::string_view line() const noexcept {
         return {line_, static_cast<std::size_t>(line_end_ - line_)};
     }

@@ -51,11 +51,16 @@ std::optional<BinaryType> type_of(char kind, std::uint64_t size) noexcept {
     if (kind != 'I' && kind != 'U') return std::nullopt;
     const bool is_signed = kind == 'I';
     switch (size) {
-    case 1: return is_signed ? BinaryType::Int8 : BinaryType::UInt8;
-    case 2: return is_signed ? BinaryType::Int16 : BinaryType::UInt16;
-    case 4: return is_signed ? BinaryType::Int32 : BinaryType::UInt32;
-    case 8: return is_signed ? BinaryType::Int64 : BinaryType::UInt64;
-    default: return std::nullopt;
+    case 1:
+        return is_signed ? BinaryType::Int8 : BinaryType::UInt8;
+    case 2:
+        return is_signed ? BinaryType::Int16 : BinaryType::UInt16;
+    case 4:
+        return is_signed ? BinaryType::Int32 : BinaryType::UInt32;
+    case 8:
+        return is_signed ? BinaryType::Int64 : BinaryType::UInt64;
+    default:
+        return std::nullopt;
     }
 }
 
@@ -106,13 +111,13 @@ class PcdReader final : public ScanReader {
     void sample();
     [[nodiscard]] std::string unpack() const;
 
-    template <class Each>
+    template<class Each>
     void for_points(std::uint64_t count, Each each) const;
-    template <class Each>
+    template<class Each>
     void for_ascii(std::uint64_t count, Each each) const;
-    template <class Each>
+    template<class Each>
     void for_binary(std::uint64_t count, Each each) const;
-    template <class Each>
+    template<class Each>
     void for_compressed(std::uint64_t count, Each each) const;
 
     [[nodiscard]] static double load(const Field& field, const char* at) noexcept {
@@ -140,43 +145,64 @@ std::uint64_t natural(const LineReader& lines, const std::vector<std::string>& w
 RawHeader PcdReader::read_header(LineReader& lines) {
     RawHeader raw;
     while (raw.data.empty()) {
-        if (lines.number() > kMostHeaderLines || !lines.next()) lines.fail("the header ends before its line DATA");
+        if (lines.number() > kMostHeaderLines || !lines.next())
+            lines.fail("the header ends before its line DATA");
         const std::string_view line = text::trim(lines.line());
         if (line.empty() || line.front() == '#') continue;
         const std::string_view word = line.substr(0, line.find(' '));
         std::vector<std::string> rest = words_after_first(line);
-        if (word == "FIELDS" || word == "COLUMNS") raw.fields = std::move(rest);
-        else if (word == "SIZE") raw.sizes = std::move(rest);
-        else if (word == "TYPE") raw.types = std::move(rest);
-        else if (word == "COUNT") raw.counts = std::move(rest);
-        else if (word == "VIEWPOINT") raw.viewpoint = std::move(rest);
-        else if (word == "WIDTH") raw.width = natural(lines, rest);
-        else if (word == "HEIGHT") raw.height = natural(lines, rest);
-        else if (word == "POINTS") raw.points = natural(lines, rest);
-        else if (word == "DATA" && !rest.empty()) raw.data = rest[0];
-        else if (word != "VERSION") lines.fail(fmt::format("'{}' is no line of a PCD header", text::clean_utf8(word.substr(0, 40)).text));
+        if (word == "FIELDS" || word == "COLUMNS")
+            raw.fields = std::move(rest);
+        else if (word == "SIZE")
+            raw.sizes = std::move(rest);
+        else if (word == "TYPE")
+            raw.types = std::move(rest);
+        else if (word == "COUNT")
+            raw.counts = std::move(rest);
+        else if (word == "VIEWPOINT")
+            raw.viewpoint = std::move(rest);
+        else if (word == "WIDTH")
+            raw.width = natural(lines, rest);
+        else if (word == "HEIGHT")
+            raw.height = natural(lines, rest);
+        else if (word == "POINTS")
+            raw.points = natural(lines, rest);
+        else if (word == "DATA" && !rest.empty())
+            raw.data = rest[0];
+        else if (word != "VERSION")
+            lines.fail(
+                fmt::format("'{}' is no line of a PCD header", text::clean_utf8(word.substr(0, 40)).text));
     }
     return raw;
 }
 
 void PcdReader::make_fields(const RawHeader& raw) {
     const std::size_t count = raw.fields.size();
-    if (count == 0 || count > kMostFields) bad(fmt::format("PCD header: {} fields; from 1 to {} are possible", count, kMostFields));
-    if (raw.sizes.size() != count || raw.types.size() != count || (!raw.counts.empty() && raw.counts.size() != count)) {
+    if (count == 0 || count > kMostFields)
+        bad(fmt::format("PCD header: {} fields; from 1 to {} are possible", count, kMostFields));
+    if (raw.sizes.size() != count || raw.types.size() != count ||
+        (!raw.counts.empty() && raw.counts.size() != count)) {
         bad("PCD header: SIZE, TYPE and COUNT must have as many words as FIELDS");
     }
     for (std::size_t i = 0; i < count; ++i) {
         const std::optional<long long> size = text::parse_integer(raw.sizes[i]);
         const std::optional<long long> values = raw.counts.empty() ? 1 : text::parse_integer(raw.counts[i]);
-        const bool sane = size && *size > 0 && values && *values >= 0 && *values <= static_cast<long long>(kMostValues);
-        const std::optional<BinaryType> type = sane ? type_of(raw.types[i][0], static_cast<std::uint64_t>(*size)) : std::nullopt;
+        const bool sane =
+            size && *size > 0 && values && *values >= 0 && *values <= static_cast<long long>(kMostValues);
+        const std::optional<BinaryType> type =
+            sane ? type_of(raw.types[i][0], static_cast<std::uint64_t>(*size)) : std::nullopt;
         if (!type) bad(fmt::format("PCD header: field {} has an impossible size, type or count", i + 1));
-        Field field{text::clean_utf8(raw.fields[i]).text, *type, static_cast<std::uint64_t>(*values), record_bytes_, record_values_,
+        Field field{text::clean_utf8(raw.fields[i]).text,
+                    *type,
+                    static_cast<std::uint64_t>(*values),
+                    record_bytes_,
+                    record_values_,
                     *values == 1 ? role_of_name(raw.fields[i]) : Role::Other};
         if (field.role == Role::PackedRgb && size_of(*type) != 4) field.role = Role::Other;
         record_bytes_ += field.count * size_of(field.type);
         record_values_ += field.count;
-        if (record_values_ > kMostValues) bad(fmt::format("PCD header: more than {} values in a point", kMostValues));
+        if (record_values_ > kMostValues)
+            bad(fmt::format("PCD header: more than {} values in a point", kMostValues));
         fields_.push_back(std::move(field));
     }
 }
@@ -192,10 +218,12 @@ void PcdReader::make_cloud(const RawHeader& raw) {
     if (!plan_.has_place()) bad("PCD header: no fields x, y and z");
     const std::uint64_t width = raw.width.value_or(raw.points.value_or(0));
     const std::uint64_t height = raw.height.value_or(1);
-    if (width > 0xFFFFFFFFULL || height > 0xFFFFFFFFULL) bad(fmt::format("PCD header: {} x {} points are too many", width, height));
+    if (width > 0xFFFFFFFFULL || height > 0xFFFFFFFFULL)
+        bad(fmt::format("PCD header: {} x {} points are too many", width, height));
     cloud.records = raw.points.value_or(width * height);
     if (cloud.records != width * height) {
-        bad(fmt::format("PCD header: POINTS {} is not WIDTH {} times HEIGHT {}", cloud.records, width, height));
+        bad(fmt::format("PCD header: POINTS {} is not WIDTH {} times HEIGHT {}", cloud.records, width,
+                        height));
     }
     plan_.at[static_cast<std::size_t>(Role::Row)] = -1; // the grid is WIDTH × HEIGHT
     cloud.has = plan_.columns();
@@ -204,10 +232,14 @@ void PcdReader::make_cloud(const RawHeader& raw) {
         cloud.rows = height;
         cloud.columns = width;
     }
-    if (raw.data == "ascii") storage_ = Storage::Ascii;
-    else if (raw.data == "binary") storage_ = Storage::Binary;
-    else if (raw.data == "binary_compressed") storage_ = Storage::Compressed;
-    else bad("PCD header: DATA is ascii, binary or binary_compressed");
+    if (raw.data == "ascii")
+        storage_ = Storage::Ascii;
+    else if (raw.data == "binary")
+        storage_ = Storage::Binary;
+    else if (raw.data == "binary_compressed")
+        storage_ = Storage::Compressed;
+    else
+        bad("PCD header: DATA is ascii, binary or binary_compressed");
     if (raw.viewpoint.size() == 7) {
         std::array<double, 7> v{};
         for (std::size_t i = 0; i < 7; ++i) {
@@ -229,7 +261,8 @@ void PcdReader::check_size() {
     const bool fits = storage_ == Storage::Ascii    ? records <= room / (2 * record_values_) + 1
                       : storage_ == Storage::Binary ? records <= room / record_bytes_
                                                     : records == 0 || room >= 8;
-    if (!fits) bad(fmt::format("{} points do not fit into the {} bytes that follow the header", records, room));
+    if (!fits)
+        bad(fmt::format("{} points do not fit into the {} bytes that follow the header", records, room));
 }
 
 void PcdReader::sample() {
@@ -243,13 +276,14 @@ void PcdReader::sample() {
     clouds_.front().intensity = plan_.intensity;
 }
 
-template <class Each>
+template<class Each>
 void PcdReader::for_ascii(std::uint64_t count, Each each) const {
     const auto width = static_cast<int>(record_values_);
     std::vector<double> values(static_cast<std::size_t>(record_values_));
     LineReader lines(*source_, points_at_, points_line_);
     for (std::uint64_t i = 0; i < count; ++i) {
-        if (!lines.next()) lines.fail(fmt::format("the file ends after {} of {} points", i, clouds_.front().records));
+        if (!lines.next())
+            lines.fail(fmt::format("the file ends after {} of {} points", i, clouds_.front().records));
         const int got = parse_row(lines.begin(), lines.end(), values.data(), width);
         if (got < 0) lines.fail(fmt::format("field {} is no number", -got));
         if (got != width) lines.fail(fmt::format("{} numbers expected, as FIELDS and COUNT say", width));
@@ -263,18 +297,20 @@ void PcdReader::for_ascii(std::uint64_t count, Each each) const {
     }
 }
 
-template <class Each>
+template<class Each>
 void PcdReader::for_binary(std::uint64_t count, Each each) const {
     std::vector<double> values(static_cast<std::size_t>(record_values_));
     const std::uint64_t batch = std::max<std::uint64_t>(kBatchBytes / record_bytes_, 1);
     std::vector<char> bytes(static_cast<std::size_t>(std::min(batch, count) * record_bytes_));
     for (std::uint64_t first = 0; first < count; first += batch) {
         const std::uint64_t here = std::min(batch, count - first);
-        source_->read(points_at_ + first * record_bytes_, std::span(bytes).first(static_cast<std::size_t>(here * record_bytes_)));
+        source_->read(points_at_ + first * record_bytes_,
+                      std::span(bytes).first(static_cast<std::size_t>(here * record_bytes_)));
         for (std::uint64_t i = 0; i < here; ++i) {
             for (const Field& field : fields_) {
                 if (field.role == Role::Other) continue;
-                values[static_cast<std::size_t>(field.value)] = load(field, bytes.data() + i * record_bytes_ + field.offset);
+                values[static_cast<std::size_t>(field.value)] =
+                    load(field, bytes.data() + i * record_bytes_ + field.offset);
             }
             each(std::span<const double>(values));
         }
@@ -288,15 +324,17 @@ std::string PcdReader::unpack() const {
     const std::uint64_t packed = little_endian<std::uint32_t>(head.data());
     const std::uint64_t size = little_endian<std::uint32_t>(head.data() + 4);
     const std::uint64_t records = clouds_.front().records;
-    if (packed > room - 8) bad(fmt::format("{} compressed bytes are stated, {} follow: cut short or damaged", packed, room - 8));
+    if (packed > room - 8)
+        bad(fmt::format("{} compressed bytes are stated, {} follow: cut short or damaged", packed, room - 8));
     if (size / record_bytes_ != records || size % record_bytes_ != 0) {
-        bad(fmt::format("compressed points of {} bytes, {} points of {} are expected", size, records, record_bytes_));
+        bad(fmt::format("compressed points of {} bytes, {} points of {} are expected", size, records,
+                        record_bytes_));
     }
     return unpack_lzf(source_->read_string(points_at_ + 8, packed), static_cast<std::size_t>(size));
 }
 
 // Unpacked, the fields stand one behind the other: all x, all y, …
-template <class Each>
+template<class Each>
 void PcdReader::for_compressed(std::uint64_t count, Each each) const {
     const std::uint64_t records = clouds_.front().records;
     if (records == 0) return;
@@ -312,12 +350,18 @@ void PcdReader::for_compressed(std::uint64_t count, Each each) const {
     }
 }
 
-template <class Each>
+template<class Each>
 void PcdReader::for_points(std::uint64_t count, Each each) const {
     switch (storage_) {
-    case Storage::Ascii: for_ascii(count, each); break;
-    case Storage::Binary: for_binary(count, each); break;
-    case Storage::Compressed: for_compressed(count, each); break;
+    case Storage::Ascii:
+        for_ascii(count, each);
+        break;
+    case Storage::Binary:
+        for_binary(count, each);
+        break;
+    case Storage::Compressed:
+        for_compressed(count, each);
+        break;
     }
 }
 

@@ -41,12 +41,14 @@ struct Element {
     std::vector<Property> properties;
 
     [[nodiscard]] bool has_lists() const noexcept {
-        return std::any_of(properties.begin(), properties.end(), [](const Property& p) { return p.list_count.has_value(); });
+        return std::any_of(properties.begin(), properties.end(),
+                           [](const Property& p) { return p.list_count.has_value(); });
     }
 
     [[nodiscard]] std::uint64_t record_bytes() const noexcept {
         std::uint64_t bytes = 0;
-        for (const Property& p : properties) bytes += p.list_count ? 0 : size_of(p.type);
+        for (const Property& p : properties)
+            bytes += p.list_count ? 0 : size_of(p.type);
         return bytes;
     }
 };
@@ -95,7 +97,7 @@ class PlyReader final : public ScanReader {
     void sample();
 
     /// Calls `each(values)` for the first `count` vertices.
-    template <class Each>
+    template<class Each>
     void for_vertices(std::uint64_t count, Each each) const;
 
     std::unique_ptr<ByteSource> source_;
@@ -119,7 +121,8 @@ void PlyReader::read_header(LineReader& lines) {
             format_seen = true;
             const std::string_view kind = words.size() > 1 ? words[1] : std::string_view{};
             if (kind != "ascii" && kind != "binary_little_endian" && kind != "binary_big_endian") {
-                lines.fail(fmt::format("format '{}'; ascii, binary_little_endian and binary_big_endian are known", kind));
+                lines.fail(fmt::format(
+                    "format '{}'; ascii, binary_little_endian and binary_big_endian are known", kind));
             }
             ascii_ = kind == "ascii";
             order_ = kind == "binary_big_endian" ? std::endian::big : std::endian::little;
@@ -150,13 +153,16 @@ void PlyReader::header_line(LineReader& lines, const std::vector<std::string_vie
 void PlyReader::add_property(LineReader& lines, const std::vector<std::string_view>& words) {
     if (elements_.empty()) lines.fail("a property before any element");
     Element& element = elements_.back();
-    if (element.properties.size() == kMostProperties) lines.fail(fmt::format("more than {} properties", kMostProperties));
+    if (element.properties.size() == kMostProperties)
+        lines.fail(fmt::format("more than {} properties", kMostProperties));
     const bool list = words.size() == 5 && words[1] == "list";
-    if (!list && words.size() != 3) lines.fail("a property is: property TYPE NAME, or: property list TYPE TYPE NAME");
+    if (!list && words.size() != 3)
+        lines.fail("a property is: property TYPE NAME, or: property list TYPE TYPE NAME");
     const std::optional<BinaryType> type = type_of_name(list ? words[3] : words[1]);
     const std::optional<BinaryType> count = list ? type_of_name(words[2]) : std::nullopt;
     if (!type || (list && !count)) lines.fail("a type that PLY does not know");
-    Property property{text::clean_utf8(words.back()).text, *type, count, static_cast<std::size_t>(element.record_bytes())};
+    Property property{text::clean_utf8(words.back()).text, *type, count,
+                      static_cast<std::size_t>(element.record_bytes())};
     element.properties.push_back(std::move(property));
 }
 
@@ -174,7 +180,8 @@ void PlyReader::find_vertices(std::uint64_t offset, std::uint64_t line) {
         if (element.has_lists()) bad("element vertex has a list, which is no table of points");
         if (least == 0) bad("element vertex has no properties");
         if (element.count > room / least + (ascii_ ? 1 : 0)) {
-            bad(fmt::format("{} vertices do not fit into the {} bytes that follow the header", element.count, room));
+            bad(fmt::format("{} vertices do not fit into the {} bytes that follow the header", element.count,
+                            room));
         }
         return;
     }
@@ -186,14 +193,18 @@ void PlyReader::pass_over(const Element& element) {
     const std::uint64_t room = source_->size() - vertices_at_;
     if (ascii_) {
         LineReader lines(*source_, vertices_at_, vertices_line_);
-        if (lines.skip(element.count) < element.count) lines.fail(fmt::format("the file ends within element {}", element.name));
+        if (lines.skip(element.count) < element.count)
+            lines.fail(fmt::format("the file ends within element {}", element.name));
         vertices_at_ = lines.offset();
         vertices_line_ += element.count;
         return;
     }
-    if (element.has_lists()) bad(fmt::format("element {} with lists stands before the vertices; save the vertices first", element.name));
+    if (element.has_lists())
+        bad(fmt::format("element {} with lists stands before the vertices; save the vertices first",
+                        element.name));
     const std::uint64_t bytes = element.record_bytes();
-    if (bytes > 0 && element.count > room / bytes) bad(fmt::format("the file ends within element {}", element.name));
+    if (bytes > 0 && element.count > room / bytes)
+        bad(fmt::format("the file ends within element {}", element.name));
     vertices_at_ += element.count * bytes;
 }
 
@@ -220,8 +231,11 @@ void PlyReader::make_cloud() {
 void PlyReader::sample() {
     ValueSampler intensities;
     ValueSampler colours;
-    for_vertices(std::min(vertices_.count, kSampled), [&](std::span<const double> v) { plan_.sample(v, intensities, colours); });
-    const auto type_at = [&](Role role) { return vertices_.properties[static_cast<std::size_t>(plan_.index(role))].type; };
+    for_vertices(std::min(vertices_.count, kSampled),
+                 [&](std::span<const double> v) { plan_.sample(v, intensities, colours); });
+    const auto type_at = [&](Role role) {
+        return vertices_.properties[static_cast<std::size_t>(plan_.index(role))].type;
+    };
     plan_.intensity = intensities.intensity_coding();
     if (plan_.has(Role::Intensity)) {
         const BinaryType type = type_at(Role::Intensity);
@@ -229,22 +243,26 @@ void PlyReader::sample() {
     }
     if (plan_.has_colour()) {
         const BinaryType type = type_at(Role::Red);
-        plan_.colour_scale = type == BinaryType::UInt8 ? 1.0 : type == BinaryType::UInt16 ? 1.0 / 257.0 : colours.colour_scale();
+        plan_.colour_scale = type == BinaryType::UInt8    ? 1.0
+                             : type == BinaryType::UInt16 ? 1.0 / 257.0
+                                                          : colours.colour_scale();
     }
     clouds_.front().intensity = plan_.intensity;
 }
 
-template <class Each>
+template<class Each>
 void PlyReader::for_vertices(std::uint64_t count, Each each) const {
     const std::size_t width = vertices_.properties.size();
     std::vector<double> values(width);
     if (ascii_) {
         LineReader lines(*source_, vertices_at_, vertices_line_);
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (!lines.next()) lines.fail(fmt::format("the file ends after {} of {} vertices", i, vertices_.count));
+            if (!lines.next())
+                lines.fail(fmt::format("the file ends after {} of {} vertices", i, vertices_.count));
             const int got = parse_row(lines.begin(), lines.end(), values.data(), static_cast<int>(width));
             if (got < 0) lines.fail(fmt::format("field {} is no number", -got));
-            if (got != static_cast<int>(width)) lines.fail(fmt::format("{} numbers expected, one for each property", width));
+            if (got != static_cast<int>(width))
+                lines.fail(fmt::format("{} numbers expected, one for each property", width));
             each(std::span<const double>(values));
         }
         return;
@@ -258,7 +276,8 @@ void PlyReader::for_vertices(std::uint64_t count, Each each) const {
         for (std::size_t i = 0; i < here; ++i) {
             const char* at = bytes.data() + i * record;
             for (std::size_t k = 0; k < width; ++k) {
-                values[k] = load_value(at + vertices_.properties[k].offset, vertices_.properties[k].type, order_);
+                values[k] =
+                    load_value(at + vertices_.properties[k].offset, vertices_.properties[k].type, order_);
             }
             each(std::span<const double>(values));
         }

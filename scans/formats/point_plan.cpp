@@ -69,24 +69,37 @@ std::uint64_t whole_number(double value) noexcept {
 
 Role role_of_name(std::string_view name) {
     const std::string folded = text::fold_case(text::trim(name));
-    const auto* const found = std::find_if(kNames.begin(), kNames.end(), [&](const NamedRole& n) { return n.name == folded; });
+    const auto* const found =
+        std::find_if(kNames.begin(), kNames.end(), [&](const NamedRole& n) { return n.name == folded; });
     return found == kNames.end() ? Role::Other : found->role;
 }
 
 std::string_view role_name(Role role) noexcept {
     switch (role) {
-    case Role::Other: return "-";
-    case Role::X: return "x";
-    case Role::Y: return "y";
-    case Role::Z: return "z";
-    case Role::Intensity: return "intensity";
-    case Role::Red: return "red";
-    case Role::Green: return "green";
-    case Role::Blue: return "blue";
-    case Role::PackedRgb: return "rgb";
-    case Role::Row: return "row";
-    case Role::Column: return "column";
-    case Role::Time: return "time";
+    case Role::Other:
+        return "-";
+    case Role::X:
+        return "x";
+    case Role::Y:
+        return "y";
+    case Role::Z:
+        return "z";
+    case Role::Intensity:
+        return "intensity";
+    case Role::Red:
+        return "red";
+    case Role::Green:
+        return "green";
+    case Role::Blue:
+        return "blue";
+    case Role::PackedRgb:
+        return "rgb";
+    case Role::Row:
+        return "row";
+    case Role::Column:
+        return "column";
+    case Role::Time:
+        return "time";
     }
     return "-";
 }
@@ -146,7 +159,8 @@ void PointPlan::place(std::span<const double> values, BlockBuilder& builder) con
     if (has(Role::Time)) builder.block.time[builder.slot()] = value(Role::Time);
 }
 
-void PointPlan::sample(std::span<const double> values, ValueSampler& intensities, ValueSampler& colours) const noexcept {
+void PointPlan::sample(std::span<const double> values, ValueSampler& intensities,
+                       ValueSampler& colours) const noexcept {
     if (has(Role::Intensity)) intensities.add(values[static_cast<std::size_t>(index(Role::Intensity))]);
     for (const Role role : {Role::Red, Role::Green, Role::Blue}) {
         if (has(role)) colours.add(values[static_cast<std::size_t>(index(role))]);

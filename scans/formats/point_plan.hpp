@@ -27,6 +27,7 @@ inline constexpr std::size_t kRoleCount = 12;
 class ValueSampler {
   public:
     void add(double value) noexcept;
+
     [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
 
     /// [0, 1] is spread over 16 bits; whole numbers are kept as they are; other ranges are spread from
@@ -50,8 +51,11 @@ struct PointPlan {
     double colour_scale = 1.0;
 
     [[nodiscard]] int index(Role role) const noexcept { return at[static_cast<std::size_t>(role)]; }
+
     [[nodiscard]] bool has(Role role) const noexcept { return index(role) >= 0; }
+
     [[nodiscard]] bool has_place() const noexcept { return has(Role::X) && has(Role::Y) && has(Role::Z); }
+
     [[nodiscard]] bool has_colour() const noexcept;
     [[nodiscard]] Columns columns() const noexcept;
 
@@ -59,7 +63,8 @@ struct PointPlan {
     void place(std::span<const double> values, BlockBuilder& builder) const;
 
     /// Looks at one record to guess ranges.
-    void sample(std::span<const double> values, ValueSampler& intensities, ValueSampler& colours) const noexcept;
+    void sample(std::span<const double> values, ValueSampler& intensities,
+                ValueSampler& colours) const noexcept;
 };
 
 /// The first column of each role counts.

@@ -35,25 +35,33 @@ Eigen::Isometry3d parse_pose(const std::string& pose_text) {
     }
     for (const std::string_view word : split_line(flat, ' ')) {
         const std::optional<double> value = text::parse_double(word);
-        if (!value || count == v.size()) throw Error(ErrorCode::BadInput, ".pose file: six numbers are expected, position in cm and angles in degrees");
+        if (!value || count == v.size())
+            throw Error(ErrorCode::BadInput,
+                        ".pose file: six numbers are expected, position in cm and angles in degrees");
         v[count++] = *value;
     }
-    if (count != v.size()) throw Error(ErrorCode::BadInput, fmt::format(".pose file: {} numbers instead of six, position in cm and angles in degrees", count));
+    if (count != v.size())
+        throw Error(ErrorCode::BadInput,
+                    fmt::format(".pose file: {} numbers instead of six, position in cm and angles in degrees",
+                                count));
     const auto turn = [&](std::size_t i, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(v[3 + i] * std::numbers::pi / 180.0, axis).toRotationMatrix();
     };
-    const Eigen::Matrix3d theirs = turn(0, Eigen::Vector3d::UnitX()) * turn(1, Eigen::Vector3d::UnitY()) * turn(2, Eigen::Vector3d::UnitZ());
+    const Eigen::Matrix3d theirs = turn(0, Eigen::Vector3d::UnitX()) * turn(1, Eigen::Vector3d::UnitY()) *
+                                   turn(2, Eigen::Vector3d::UnitZ());
     const Eigen::Matrix3d axes = ours_from_theirs();
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = axes * theirs * axes.transpose();
     pose.translation() = axes * Eigen::Vector3d(v[0], v[1], v[2]) * kMetresPerCentimetre;
-    if (!pose.matrix().allFinite()) throw Error(ErrorCode::BadInput, ".pose file: numbers that are not finite");
+    if (!pose.matrix().allFinite())
+        throw Error(ErrorCode::BadInput, ".pose file: numbers that are not finite");
     return pose;
 }
 
 class ThreeDtkReader final : public ScanReader {
   public:
-    ThreeDtkReader(std::unique_ptr<ByteSource> source, const std::optional<std::string>& pose, Progress& progress)
+    ThreeDtkReader(std::unique_ptr<ByteSource> source, const std::optional<std::string>& pose,
+                   Progress& progress)
         : source_(std::move(source)) {
         info_.format = ScanFormat::ThreeDtk;
         table_.scan_from_file = ours_from_theirs() * kMetresPerCentimetre;
@@ -84,7 +92,9 @@ class ThreeDtkReader final : public ScanReader {
         LineReader lines(*source_, 0, 1, 65536);
         while (true) {
             const std::uint64_t offset = lines.offset();
-            if (!lines.next() || lines.number() > 10) throw Error(ErrorCode::BadInput, fmt::format("line {}: no line of points x y z", std::max<std::uint64_t>(lines.number(), 1)));
+            if (!lines.next() || lines.number() > 10)
+                throw Error(ErrorCode::BadInput, fmt::format("line {}: no line of points x y z",
+                                                             std::max<std::uint64_t>(lines.number(), 1)));
             const std::vector<std::string_view> fields = split_line(lines.line(), ' ');
             if (!is_data_line(lines.line()) || fields.size() < 3) continue;
             table_.offset = offset;
@@ -109,8 +119,8 @@ class ThreeDtkReader final : public ScanReader {
 
 } // namespace
 
-std::unique_ptr<ScanReader> make_3dtk_reader(std::unique_ptr<ByteSource> source, const std::optional<std::string>& pose,
-                                             Progress& progress) {
+std::unique_ptr<ScanReader> make_3dtk_reader(std::unique_ptr<ByteSource> source,
+                                             const std::optional<std::string>& pose, Progress& progress) {
     return std::make_unique<ThreeDtkReader>(std::move(source), pose, progress);
 }
 

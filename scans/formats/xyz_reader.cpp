@@ -60,7 +60,9 @@ std::vector<std::string> XyzReader::find_table() {
     std::uint64_t offset = 0;
     while (true) {
         offset = lines.offset();
-        if (!lines.next()) throw Error(ErrorCode::BadInput, fmt::format("line {}: no line with x, y and z as numbers", std::max<std::uint64_t>(lines.number(), 1)));
+        if (!lines.next())
+            throw Error(ErrorCode::BadInput, fmt::format("line {}: no line with x, y and z as numbers",
+                                                         std::max<std::uint64_t>(lines.number(), 1)));
         std::string_view line = text::trim(lines.line());
         if (lines.number() == 1 && line.starts_with("\xEF\xBB\xBF")) { // byte order mark
             line.remove_prefix(3);
@@ -72,15 +74,19 @@ std::vector<std::string> XyzReader::find_table() {
         if (has_three_numbers(fields) && is_data_line(line)) {
             table_.separator = separator;
             columns_ = fields.size();
-            const bool comma_inside = std::any_of(fields.begin(), fields.end(), [](std::string_view f) { return f.find(',') != std::string_view::npos; });
+            const bool comma_inside = std::any_of(fields.begin(), fields.end(), [](std::string_view f) {
+                return f.find(',') != std::string_view::npos;
+            });
             table_.decimal = separator != ',' && comma_inside ? ',' : '.';
             break;
         }
-        if (lines.number() > kMostLinesBefore) lines.fail("no line with x, y and z as numbers so far, this is no table of points");
+        if (lines.number() > kMostLinesBefore)
+            lines.fail("no line with x, y and z as numbers so far, this is no table of points");
         if (fields.size() < 3) continue;
         names.clear();
         for (std::string_view field : fields) {
-            while (field.starts_with('#') || field.starts_with('/')) field.remove_prefix(1);
+            while (field.starts_with('#') || field.starts_with('/'))
+                field.remove_prefix(1);
             if (!text::trim(field).empty()) names.push_back(text::clean_utf8(text::trim(field)).text);
         }
     }
@@ -97,16 +103,22 @@ void XyzReader::choose_roles(const std::vector<std::string>& names, const OpenOp
         for (const std::string_view word : text::split(options.columns, ',')) {
             const Role role = role_of_name(word);
             if (role == Role::Other && text::trim(word) != "-") {
-                throw Error(ErrorCode::Usage, fmt::format("'{}' is no column; known are x y z intensity red green blue time and - for others", word));
+                throw Error(
+                    ErrorCode::Usage,
+                    fmt::format(
+                        "'{}' is no column; known are x y z intensity red green blue time and - for others",
+                        word));
             }
             table_.roles.push_back(role);
         }
         if (table_.roles.size() > columns_) {
-            throw Error(ErrorCode::BadInput, fmt::format("line {}: {} columns are named, the file has {}", table_.first_line, table_.roles.size(), columns_));
+            throw Error(ErrorCode::BadInput, fmt::format("line {}: {} columns are named, the file has {}",
+                                                         table_.first_line, table_.roles.size(), columns_));
         }
         table_.roles.resize(columns_, Role::Other);
     } else {
-        for (const std::string& name : names) table_.roles.push_back(role_of_name(name));
+        for (const std::string& name : names)
+            table_.roles.push_back(role_of_name(name));
         const PointPlan by_name = plan_of(table_.roles);
         if (by_name.has_place()) {
             how = "by the names in the file";
@@ -114,8 +126,12 @@ void XyzReader::choose_roles(const std::vector<std::string>& names, const OpenOp
             table_.roles = guess_roles(*source_, table_, columns_);
         }
     }
-    const char* const cut = table_.separator == ' ' ? "blanks" : table_.separator == '\t' ? "tabs" : table_.separator == ';' ? "semicolons" : "commas";
-    info_.column_guess = fmt::format("{} ({}; cut by {}{})", roles_as_text(table_.roles), how, cut, table_.decimal == ',' ? "; decimal comma" : "");
+    const char* const cut = table_.separator == ' '    ? "blanks"
+                            : table_.separator == '\t' ? "tabs"
+                            : table_.separator == ';'  ? "semicolons"
+                                                       : "commas";
+    info_.column_guess = fmt::format("{} ({}; cut by {}{})", roles_as_text(table_.roles), how, cut,
+                                     table_.decimal == ',' ? "; decimal comma" : "");
 }
 
 void XyzReader::count(CloudHeader& header, Progress& progress) {

@@ -43,8 +43,8 @@ class PixelLists {
     PixelLists() = default;
 
     /// Sorts (pixel, point) pairs into lists. `ranges` decides the order within a list.
-    PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_of_entry, std::span<const std::uint32_t> point_of_entry,
-               std::span<const float> ranges);
+    PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_of_entry,
+               std::span<const std::uint32_t> point_of_entry, std::span<const float> ranges);
 
     [[nodiscard]] std::span<const std::uint32_t> at(std::size_t pixel) const noexcept;
     [[nodiscard]] std::uint64_t bytes() const noexcept;
@@ -52,8 +52,8 @@ class PixelLists {
   private:
     static constexpr std::size_t kGroup = 64; ///< pixels that share a start
 
-    std::vector<std::uint32_t> starts_;      ///< of each group, into entries_
-    std::vector<std::uint8_t> counts_;       ///< 255: look into large_
+    std::vector<std::uint32_t> starts_;                          ///< of each group, into entries_
+    std::vector<std::uint8_t> counts_;                           ///< 255: look into large_
     std::vector<std::pair<std::uint32_t, std::uint32_t>> large_; ///< (pixel, count), sorted
     std::vector<std::uint32_t> entries_;
 
@@ -67,9 +67,14 @@ class PixelLists {
 class Panorama {
   public:
     [[nodiscard]] const Projection& projection() const noexcept { return projection_; }
+
     [[nodiscard]] int width() const noexcept { return projection_.options().width; }
+
     [[nodiscard]] int height() const noexcept { return projection_.options().height; }
-    [[nodiscard]] std::uint64_t points() const noexcept { return ranges_.size(); } ///< that fell into the picture
+
+    [[nodiscard]] std::uint64_t points() const noexcept {
+        return ranges_.size();
+    } ///< that fell into the picture
 
     /// Points of a pixel, nearest first, by the order in which they came into the picture.
     [[nodiscard]] std::span<const std::uint32_t> points_at(int column, int row) const noexcept;
@@ -80,8 +85,8 @@ class Panorama {
     /// The number of the point among all valid points that were added.
     [[nodiscard]] std::uint64_t source(std::uint32_t point) const noexcept { return sources_[point]; }
 
-    /// The place on the surface that a sub-pixel shows [m, scan's frame]: a plane through the points around it
-    /// where they agree, else along the ray as far as the nearest point; nullopt where there is nothing.
+    /// The place on the surface that a sub-pixel shows [m, scan's frame]: a plane through the points around
+    /// it where they agree, else along the ray as far as the nearest point; nullopt where there is nothing.
     [[nodiscard]] std::optional<Eigen::Vector3d> surface_at(const Eigen::Vector2d& pixel) const;
 
     [[nodiscard]] Picture picture(Channel channel) const;
@@ -132,8 +137,8 @@ class PanoramaBuilder {
 
 /// Writes a picture as PNG and beside it (same name, .json) what it shows: projection, extent, channel, the
 /// name of the scan and, where it is known, its pose as 16 numbers, row-major. Throws Io.
-void write_panorama(const Panorama& panorama, Channel channel, const std::filesystem::path& png, const std::string& scan,
-                    const std::optional<Eigen::Isometry3d>& site_from_scan);
+void write_panorama(const Panorama& panorama, Channel channel, const std::filesystem::path& png,
+                    const std::string& scan, const std::optional<Eigen::Isometry3d>& site_from_scan);
 
 /// The bytes of a PNG file.
 [[nodiscard]] std::string encode_png(const Picture& picture);

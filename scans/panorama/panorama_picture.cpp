@@ -17,10 +17,11 @@ namespace planum::scans {
 namespace {
 
 /// The value below which `share` of all lie.
-template <class T>
+template<class T>
 T quantile(std::vector<T> values, double share) {
     if (values.empty()) return T{};
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
 }
@@ -34,8 +35,10 @@ std::string json_text(std::string_view s) {
     std::string out = "\"";
     for (const char c : text::clean_utf8(s).text) {
         if (c == '"' || c == '\\') out += '\\';
-        if (static_cast<unsigned char>(c) < 0x20U) out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        else out += c;
+        if (static_cast<unsigned char>(c) < 0x20U)
+            out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else
+            out += c;
     }
     return out + '"';
 }
@@ -50,10 +53,14 @@ void flush_nothing(png_structp /*png*/) {}
 
 std::string_view channel_name(Channel channel) noexcept {
     switch (channel) {
-    case Channel::Reflectance: return "reflectance";
-    case Channel::Range: return "range";
-    case Channel::Colour: return "colour";
-    case Channel::Normals: return "normals";
+    case Channel::Reflectance:
+        return "reflectance";
+    case Channel::Range:
+        return "range";
+    case Channel::Colour:
+        return "colour";
+    case Channel::Normals:
+        return "normals";
     }
     return "";
 }
@@ -78,11 +85,13 @@ std::uint8_t Panorama::shade(int column, int row) const noexcept {
 }
 
 Picture Panorama::picture(Channel channel) const {
-    if ((channel == Channel::Reflectance && !has_.intensity) || (channel == Channel::Colour && !has_.colour)) {
+    if ((channel == Channel::Reflectance && !has_.intensity) ||
+        (channel == Channel::Colour && !has_.colour)) {
         throw Error(ErrorCode::BadInput, fmt::format("the scan has no {}", channel_name(channel)));
     }
     Picture picture{width(), height(), channel == Channel::Colour ? 3 : 1, {}};
-    picture.values.resize(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) * static_cast<std::size_t>(picture.channels));
+    picture.values.resize(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) *
+                          static_cast<std::size_t>(picture.channels));
     // A few very bright or far points shall not make the rest black.
     const double dark = channel == Channel::Reflectance ? quantile(intensities_, 0.01) : 0.0;
     const double bright = channel == Channel::Reflectance ? quantile(intensities_, 0.99) : 1.0;
@@ -94,9 +103,15 @@ Picture Panorama::picture(Channel channel) const {
             if (points.empty()) continue;
             const std::uint32_t front = points.front();
             switch (channel) {
-            case Channel::Reflectance: picture.values[at] = grey((intensities_[front] - dark) / std::max(1.0, bright - dark)); break;
-            case Channel::Range: picture.values[at] = grey(1.0 - static_cast<double>(ranges_[front]) / far); break;
-            case Channel::Normals: picture.values[at] = shade(column, row); break;
+            case Channel::Reflectance:
+                picture.values[at] = grey((intensities_[front] - dark) / std::max(1.0, bright - dark));
+                break;
+            case Channel::Range:
+                picture.values[at] = grey(1.0 - static_cast<double>(ranges_[front]) / far);
+                break;
+            case Channel::Normals:
+                picture.values[at] = shade(column, row);
+                break;
             case Channel::Colour:
                 picture.values[at] = colours_[front].red;
                 picture.values[at + 1] = colours_[front].green;
@@ -123,9 +138,9 @@ std::string encode_png(const Picture& picture) {
         throw Error(ErrorCode::Internal, "the picture cannot be written as PNG");
     }
     png_set_write_fn(png, &out, append_bytes, flush_nothing);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), 8,
-                 picture.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height),
+                 8, picture.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png, 6);
     png_set_rows(png, info, rows.data());
     png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
@@ -133,22 +148,26 @@ std::string encode_png(const Picture& picture) {
     return out;
 }
 
-void write_panorama(const Panorama& panorama, Channel channel, const std::filesystem::path& png, const std::string& scan,
-                    const std::optional<Eigen::Isometry3d>& site_from_scan) {
+void write_panorama(const Panorama& panorama, Channel channel, const std::filesystem::path& png,
+                    const std::string& scan, const std::optional<Eigen::Isometry3d>& site_from_scan) {
     const ProjectionOptions& o = panorama.projection().options();
     constexpr double kDegrees = 180.0 / std::numbers::pi;
     std::string pose = "null";
     if (site_from_scan) {
         pose = "[";
-        for (int i = 0; i < 16; ++i) pose += fmt::format("{}{}", i == 0 ? "" : ", ", site_from_scan->matrix()(i / 4, i % 4));
+        for (int i = 0; i < 16; ++i)
+            pose += fmt::format("{}{}", i == 0 ? "" : ", ", site_from_scan->matrix()(i / 4, i % 4));
         pose += "]";
     }
-    const std::string json = fmt::format(
-        "{{\n  \"scan\": {},\n  \"channel\": \"{}\",\n  \"projection\": \"{}\",\n  \"width\": {},\n  \"height\": {},\n"
-        "  \"azimuth_left_deg\": {},\n  \"azimuth_right_deg\": {},\n  \"elevation_top_deg\": {},\n  \"elevation_bottom_deg\": {},\n"
-        "  \"views\": {},\n  \"pannini_distance\": {},\n  \"site_from_scan\": {}\n}}\n",
-        json_text(scan), channel_name(channel), projection_name(o.kind), o.width, o.height, o.azimuth_to * kDegrees, o.azimuth_from * kDegrees,
-        o.elevation_to * kDegrees, o.elevation_from * kDegrees, o.views, o.distance, pose);
+    const std::string json =
+        fmt::format("{{\n  \"scan\": {},\n  \"channel\": \"{}\",\n  \"projection\": \"{}\",\n  \"width\": "
+                    "{},\n  \"height\": {},\n"
+                    "  \"azimuth_left_deg\": {},\n  \"azimuth_right_deg\": {},\n  \"elevation_top_deg\": "
+                    "{},\n  \"elevation_bottom_deg\": {},\n"
+                    "  \"views\": {},\n  \"pannini_distance\": {},\n  \"site_from_scan\": {}\n}}\n",
+                    json_text(scan), channel_name(channel), projection_name(o.kind), o.width, o.height,
+                    o.azimuth_to * kDegrees, o.azimuth_from * kDegrees, o.elevation_to * kDegrees,
+                    o.elevation_from * kDegrees, o.views, o.distance, pose);
     write_file_atomically(png, encode_png(panorama.picture(channel)));
     std::filesystem::path beside = png;
     write_file_atomically(beside.replace_extension(".json"), json);

@@ -36,8 +36,8 @@ struct ProjectionOptions {
     double azimuth_to = std::numbers::pi;          ///< left border [rad]
     double elevation_from = -std::numbers::pi / 3; ///< lower border in the middle of a view [rad]
     double elevation_to = std::numbers::pi / 4;    ///< upper border [rad]
-    int views = 3;          ///< rectilinear, Pannini and stereographic: so many views side by side
-    double distance = 1.0;  ///< Pannini's d
+    int views = 3;         ///< rectilinear, Pannini and stereographic: so many views side by side
+    double distance = 1.0; ///< Pannini's d
 
     friend bool operator==(const ProjectionOptions&, const ProjectionOptions&) = default;
 };
@@ -75,9 +75,9 @@ class Projection {
 
     ProjectionOptions options_;
     int views_ = 1;
-    double view_angle_ = 0.0; ///< [rad]
+    double view_angle_ = 0.0;    ///< [rad]
     std::vector<Plane> middles_; ///< direction of each view's middle
-    double plane_left_ = 0.0; ///< of a view, in the projection's plane
+    double plane_left_ = 0.0;    ///< of a view, in the projection's plane
     double plane_top_ = 0.0;
     double scale_x_ = 1.0; ///< [px] per unit of the plane
     double scale_y_ = 1.0;

@@ -20,7 +20,8 @@ struct CloudOptions {
     double outliers = 0.001; ///< share of points anywhere within 200 m
 };
 
-/// A rough surface. Row and column say the number of a point (i % 65536, i / 65536), so that it is known again.
+/// A rough surface. Row and column say the number of a point (i % 65536, i / 65536), so that it is known
+/// again.
 inline scans::PointBlock surface_cloud(const CloudOptions& options = {}) {
     std::mt19937_64 random(options.seed);
     const auto uniform = [&](double low, double high) {
@@ -41,7 +42,8 @@ inline scans::PointBlock surface_cloud(const CloudOptions& options = {}) {
         cloud.y[i] = options.centre.y() + y;
         cloud.z[i] = options.centre.z() + z;
         cloud.intensity[i] = static_cast<std::uint16_t>(random());
-        cloud.colour[i] = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random())};
+        cloud.colour[i] = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+                           static_cast<std::uint8_t>(random())};
         cloud.row[i] = static_cast<std::uint32_t>(i % 65536);
         cloud.column[i] = static_cast<std::uint32_t>(i / 65536);
     }

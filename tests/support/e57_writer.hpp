@@ -26,13 +26,14 @@ inline std::string pack_bits(std::span<const std::int64_t> values, std::int64_t 
     for (const std::int64_t value : values) {
         const std::uint64_t raw = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(minimum);
         for (unsigned b = 0; b < bits; ++b, ++at) {
-            if (((raw >> b) & 1U) != 0) out[at / 8] = static_cast<char>(static_cast<unsigned char>(out[at / 8]) | (1U << (at % 8)));
+            if (((raw >> b) & 1U) != 0)
+                out[at / 8] = static_cast<char>(static_cast<unsigned char>(out[at / 8]) | (1U << (at % 8)));
         }
     }
     return out;
 }
 
-template <class T>
+template<class T>
 std::string pack_floats(std::span<const double> values) {
     std::string out(values.size() * sizeof(T), '\0');
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -43,7 +44,8 @@ std::string pack_floats(std::span<const double> values) {
 }
 
 inline void put_number(std::string& out, std::uint64_t value, std::size_t bytes) {
-    for (std::size_t i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> (8 * i)));
+    for (std::size_t i = 0; i < bytes; ++i)
+        out.push_back(static_cast<char>(value >> (8 * i)));
 }
 
 /// A small E57 file, written from the layout and from nothing of the reader's.
@@ -52,7 +54,7 @@ class E57Writer {
     struct Scan {
         std::vector<E57Column> columns;
         std::uint64_t records = 0;
-        std::string extra; ///< further elements: pose, indexBounds, …
+        std::string extra;               ///< further elements: pose, indexBounds, …
         std::size_t packet_bytes = 3000; ///< of all columns together in one packet, about
     };
 
@@ -62,14 +64,16 @@ class E57Writer {
         std::string packets;
         std::vector<std::size_t> taken(scan.columns.size(), 0);
         std::size_t total = 1;
-        for (const E57Column& column : scan.columns) total += column.bytes.size();
+        for (const E57Column& column : scan.columns)
+            total += column.bytes.size();
         while (true) {
             std::string lengths;
             std::string body;
             for (std::size_t i = 0; i < scan.columns.size(); ++i) {
                 // Pieces of unlike length, so that the columns drift apart from packet to packet.
                 const std::string& bytes = scan.columns[i].bytes;
-                const std::size_t piece = std::min(bytes.size() - taken[i], scan.packet_bytes * bytes.size() / total + 7 * i + 1);
+                const std::size_t piece =
+                    std::min(bytes.size() - taken[i], scan.packet_bytes * bytes.size() / total + 7 * i + 1);
                 put_number(lengths, piece, 2);
                 body += bytes.substr(taken[i], piece);
                 taken[i] += piece;
@@ -78,7 +82,8 @@ class E57Writer {
             std::string packet;
             put_number(packet, scan.columns.size(), 2);
             packet += lengths + body;
-            while (packet.size() % 4 != 0) packet.push_back('\0');
+            while (packet.size() % 4 != 0)
+                packet.push_back('\0');
             packets.push_back('\1');
             packets.push_back('\0');
             put_number(packets, packet.size() + 4 - 1, 2);
@@ -91,10 +96,13 @@ class E57Writer {
         put_number(logical_, 0, 8);
         logical_ += packets;
         std::string prototype;
-        for (const E57Column& column : scan.columns) prototype += column.element;
-        scans_ += fmt::format("<vectorChild type=\"Structure\">{}<points type=\"CompressedVector\" fileOffset=\"{}\" recordCount=\"{}\">"
-                              "<prototype type=\"Structure\">{}</prototype><codecs type=\"Vector\"/></points></vectorChild>",
-                              scan.extra, physical(section), scan.records, prototype);
+        for (const E57Column& column : scan.columns)
+            prototype += column.element;
+        scans_ += fmt::format(
+            "<vectorChild type=\"Structure\">{}<points type=\"CompressedVector\" fileOffset=\"{}\" "
+            "recordCount=\"{}\">"
+            "<prototype type=\"Structure\">{}</prototype><codecs type=\"Vector\"/></points></vectorChild>",
+            scan.extra, physical(section), scan.records, prototype);
     }
 
     void add_image(const std::string& bytes, const std::string& type) {
@@ -103,19 +111,23 @@ class E57Writer {
         logical_.append(8, '\0');
         put_number(logical_, 16 + bytes.size(), 8);
         logical_ += bytes;
-        images_ += fmt::format("<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[picture]]></name>"
-                               "<visualReferenceRepresentation type=\"Structure\"><{}Image type=\"Blob\" fileOffset=\"{}\" length=\"{}\"/>"
-                               "<imageWidth type=\"Integer\">2</imageWidth><imageHeight type=\"Integer\">1</imageHeight>"
-                               "</visualReferenceRepresentation></vectorChild>",
-                               type, physical(section), bytes.size());
+        images_ += fmt::format(
+            "<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[picture]]></name>"
+            "<visualReferenceRepresentation type=\"Structure\"><{}Image type=\"Blob\" fileOffset=\"{}\" "
+            "length=\"{}\"/>"
+            "<imageWidth type=\"Integer\">2</imageWidth><imageHeight type=\"Integer\">1</imageHeight>"
+            "</visualReferenceRepresentation></vectorChild>",
+            type, physical(section), bytes.size());
     }
 
     [[nodiscard]] std::string finish() {
         pad();
-        const std::string xml =
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?><e57Root type=\"Structure\" "
-            "xmlns=\"http://www.astm.org/COMMIT/E57/2010-e57-v1.0\"><guid type=\"String\"><![CDATA[own]]></guid>"
-            "<data3D type=\"Vector\">" + scans_ + "</data3D><images2D type=\"Vector\">" + images_ + "</images2D></e57Root>";
+        const std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?><e57Root type=\"Structure\" "
+                                "xmlns=\"http://www.astm.org/COMMIT/E57/2010-e57-v1.0\"><guid "
+                                "type=\"String\"><![CDATA[own]]></guid>"
+                                "<data3D type=\"Vector\">" +
+                                scans_ + "</data3D><images2D type=\"Vector\">" + images_ +
+                                "</images2D></e57Root>";
         const std::uint64_t xml_at = logical_.size();
         logical_ += xml;
         logical_.resize((logical_.size() + 1019) / 1020 * 1020, '\0');
@@ -136,7 +148,8 @@ class E57Writer {
         for (std::size_t at = 0; at < logical.size(); at += 1020) {
             file.append(logical, at, 1020);
             const std::uint32_t crc = scans::crc32c({logical.data() + at, 1020});
-            for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<char>(crc >> shift));
+            for (int shift = 24; shift >= 0; shift -= 8)
+                file.push_back(static_cast<char>(crc >> shift));
         }
         return file;
     }
@@ -145,7 +158,8 @@ class E57Writer {
     static std::uint64_t physical(std::uint64_t logical) { return logical / 1020 * 1024 + logical % 1020; }
 
     void pad() {
-        while (logical_.size() % 4 != 0) logical_.push_back('\0');
+        while (logical_.size() % 4 != 0)
+            logical_.push_back('\0');
     }
 
     std::string logical_ = std::string(48, '\0');

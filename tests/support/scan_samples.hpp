@@ -15,41 +15,52 @@ namespace planum::test {
 
 /// Small scan files of our own, one a format.
 
-inline std::string ptx_header(std::int64_t columns, std::int64_t rows, const std::string& matrix = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") {
+inline std::string ptx_header(std::int64_t columns, std::int64_t rows,
+                              const std::string& matrix = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") {
     return fmt::format("{}\n{}\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n{}", columns, rows, matrix);
 }
 
 inline std::string sample_ptx() {
     return ptx_header(2, 2, "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1\n") +
-           "1 2 3 0.25 10 20 30\n0 0 0 0.5 0 0 0\n-1.5 2.5e0 3 1 255 254 253\n4 5 6 0 1 2 3\n" + ptx_header(1, 2) +
-           "7.5 8 9 0.5\n1 1 1 0.75\n";
+           "1 2 3 0.25 10 20 30\n0 0 0 0.5 0 0 0\n-1.5 2.5e0 3 1 255 254 253\n4 5 6 0 1 2 3\n" +
+           ptx_header(1, 2) + "7.5 8 9 0.5\n1 1 1 0.75\n";
 }
 
-inline std::string sample_pts() { return "2\n1.5 2 3 -2048 1 2 3\n4 5 6 2047 255 0 7\n"; }
+inline std::string sample_pts() {
+    return "2\n1.5 2 3 -2048 1 2 3\n4 5 6 2047 255 0 7\n";
+}
 
-inline std::string sample_xyz() { return "# remark\n1 2 3\n4.25 5 6\n-7 8 9e-1\n"; }
+inline std::string sample_xyz() {
+    return "# remark\n1 2 3\n4.25 5 6\n-7 8 9e-1\n";
+}
 
-inline std::string sample_3d() { return "100 200 300\n-50 0 25.5\n"; }
+inline std::string sample_3d() {
+    return "100 200 300\n-50 0 25.5\n";
+}
 
 inline std::string sample_ply_ascii() {
-    return "ply\nformat ascii 1.0\ncomment own\nelement camera 1\nproperty float f\nelement vertex 2\nproperty float x\n"
-           "property float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+    return "ply\nformat ascii 1.0\ncomment own\nelement camera 1\nproperty float f\nelement vertex "
+           "2\nproperty float x\n"
+           "property float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar "
+           "blue\n"
            "property ushort intensity\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n"
            "35\n1 2 3 10 20 30 40000\n4 5 6.5 0 255 1 7\n";
 }
 
-template <class T>
+template<class T>
 void put_value(std::string& out, T value, bool big_endian = false) {
     char bytes[sizeof(T)];
     std::memcpy(bytes, &value, sizeof(T));
-    for (std::size_t i = 0; i < sizeof(T); ++i) out.push_back(bytes[big_endian ? sizeof(T) - 1 - i : i]);
+    for (std::size_t i = 0; i < sizeof(T); ++i)
+        out.push_back(bytes[big_endian ? sizeof(T) - 1 - i : i]);
 }
 
 inline std::string sample_ply_binary(bool big_endian) {
-    std::string out = fmt::format("ply\nformat binary_{}_endian 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
-                                  "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
-                                  "property ushort intensity\nend_header\n",
-                                  big_endian ? "big" : "little");
+    std::string out = fmt::format(
+        "ply\nformat binary_{}_endian 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+        "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "property ushort intensity\nend_header\n",
+        big_endian ? "big" : "little");
     for (int i = 0; i < 2; ++i) {
         put_value(out, 1.0 + 3 * i, big_endian);
         put_value(out, 2.0 + 3 * i, big_endian);
@@ -61,8 +72,10 @@ inline std::string sample_ply_binary(bool big_endian) {
 }
 
 inline std::string pcd_header(const std::string& data) {
-    return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\n"
-           "COUNT 1 1 1 1\nWIDTH 2\nHEIGHT 2\nVIEWPOINT 1 2 3 1 0 0 0\nPOINTS 4\nDATA " + data + "\n";
+    return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F "
+           "F F U\n"
+           "COUNT 1 1 1 1\nWIDTH 2\nHEIGHT 2\nVIEWPOINT 1 2 3 1 0 0 0\nPOINTS 4\nDATA " +
+           data + "\n";
 }
 
 inline std::string sample_pcd_ascii() {
@@ -78,7 +91,8 @@ inline std::string sample_pcd_binary() {
     const std::uint32_t colours[] = {658188, 0, 255, 65280};
     const auto places = pcd_places();
     for (std::size_t i = 0; i < 4; ++i) {
-        for (const auto& axis : places) put_value(out, axis[i]);
+        for (const auto& axis : places)
+            put_value(out, axis[i]);
         put_value(out, colours[i]);
     }
     return out;
@@ -88,9 +102,11 @@ inline std::string sample_pcd_binary() {
 inline std::string sample_pcd_compressed() {
     std::string flat;
     for (const auto& axis : pcd_places()) {
-        for (const float value : axis) put_value(flat, value);
+        for (const float value : axis)
+            put_value(flat, value);
     }
-    for (const std::uint32_t colour : {658188U, 0U, 255U, 65280U}) put_value(flat, colour);
+    for (const std::uint32_t colour : {658188U, 0U, 255U, 65280U})
+        put_value(flat, colour);
     std::string packed;
     for (std::size_t at = 0; at < flat.size(); at += 32) {
         const std::size_t count = std::min<std::size_t>(32, flat.size() - at);
@@ -117,7 +133,8 @@ inline std::string sample_las(const LasSample& sample = {}) {
     const int length = lengths[sample.format];
     std::string out(static_cast<std::size_t>(header_bytes), '\0');
     const auto put = [&](std::size_t at, std::uint64_t value, std::size_t bytes) {
-        for (std::size_t i = 0; i < bytes; ++i) out[at + i] = static_cast<char>(value >> (8 * i));
+        for (std::size_t i = 0; i < bytes; ++i)
+            out[at + i] = static_cast<char>(value >> (8 * i));
     };
     const auto put_real = [&](std::size_t at, double value) { std::memcpy(out.data() + at, &value, 8); };
     out.replace(0, 4, "LASF");
@@ -139,16 +156,22 @@ inline std::string sample_las(const LasSample& sample = {}) {
     for (int i = 0; i < sample.points; ++i) {
         const std::size_t at = out.size();
         out.append(static_cast<std::size_t>(length), '\0');
-        const auto raw = [&](int value) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(value * 1000)); };
+        const auto raw = [&](int value) {
+            return static_cast<std::uint64_t>(static_cast<std::uint32_t>(value * 1000));
+        };
         put(at, raw(i), 4);
         put(at + 4, raw(2 * i), 4);
         put(at + 8, raw(-i), 4);
         put(at + 12, static_cast<std::uint64_t>(1000 * i), 2);
         const std::size_t time = sample.format >= 6 ? 22 : sample.format == 1 || sample.format == 3 ? 20 : 0;
-        const std::size_t colour = sample.format >= 7 ? 30 : sample.format == 2 ? 20 : sample.format == 3 ? 28 : 0;
+        const std::size_t colour = sample.format >= 7   ? 30
+                                   : sample.format == 2 ? 20
+                                   : sample.format == 3 ? 28
+                                                        : 0;
         if (time > 0) put_real(at + time, i + 0.5);
         for (std::size_t k = 0; k < 3 && colour > 0; ++k) {
-            put(at + colour + 2 * k, static_cast<std::uint64_t>(i + static_cast<int>(k)) * (sample.wide_colours ? 256U : 1U), 2);
+            put(at + colour + 2 * k,
+                static_cast<std::uint64_t>(i + static_cast<int>(k)) * (sample.wide_colours ? 256U : 1U), 2);
         }
     }
     return out;
@@ -171,7 +194,8 @@ inline std::string sample_e57(std::size_t count = 500) {
         v[8][i] = n % 10 == 9 ? 2 : 0;
     }
     const auto scaled = [](const char* name, std::int64_t low, std::int64_t high, const char* scale) {
-        return fmt::format("<{} type=\"ScaledInteger\" minimum=\"{}\" maximum=\"{}\" scale=\"{}\"/>", name, low, high, scale);
+        return fmt::format("<{} type=\"ScaledInteger\" minimum=\"{}\" maximum=\"{}\" scale=\"{}\"/>", name,
+                           low, high, scale);
     };
     const auto integer = [](const char* name, std::int64_t high) {
         return fmt::format("<{} type=\"Integer\" minimum=\"0\" maximum=\"{}\"/>", name, high);
@@ -181,11 +205,13 @@ inline std::string sample_e57(std::size_t count = 500) {
     E57Writer::Scan scan;
     scan.records = count;
     scan.packet_bytes = count > 10000 ? 60000 : 3000;
-    scan.extra = fmt::format("<guid type=\"String\"><![CDATA[helix]]></guid><pose type=\"Structure\"><rotation type=\"Structure\">"
-                             "<w type=\"Float\">0</w><z type=\"Float\">1</z></rotation><translation type=\"Structure\">"
-                             "<x type=\"Float\">10</x></translation></pose><indexBounds type=\"Structure\">"
-                             "<rowMaximum type=\"Integer\">19</rowMaximum><columnMaximum type=\"Integer\">{}</columnMaximum></indexBounds>",
-                             columns - 1);
+    scan.extra = fmt::format(
+        "<guid type=\"String\"><![CDATA[helix]]></guid><pose type=\"Structure\"><rotation type=\"Structure\">"
+        "<w type=\"Float\">0</w><z type=\"Float\">1</z></rotation><translation type=\"Structure\">"
+        "<x type=\"Float\">10</x></translation></pose><indexBounds type=\"Structure\">"
+        "<rowMaximum type=\"Integer\">19</rowMaximum><columnMaximum "
+        "type=\"Integer\">{}</columnMaximum></indexBounds>",
+        columns - 1);
     scan.columns = {{scaled("cartesianX", -8388608, 8388607, "1e-6"), pack_bits(v[0], -8388608, 24)},
                     {scaled("cartesianY", -8388608, 8388607, "1e-6"), pack_bits(v[1], -8388608, 24)},
                     {scaled("cartesianZ", -8388608, 8388607, "1e-6"), pack_bits(v[2], -8388608, 24)},

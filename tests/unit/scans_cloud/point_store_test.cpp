@@ -23,7 +23,8 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 std::size_t files_in(const std::filesystem::path& folder) {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
 }
 
 std::string why_refused(const std::filesystem::path& file) {
@@ -53,7 +54,8 @@ TEST_CASE("Every point is stored once, with its attributes, within a tenth of a 
             for (std::size_t i = 0; i < p.size(); ++i) {
                 const std::size_t n = number_of(p, i);
                 ++seen.at(n);
-                worst = std::max({worst, std::abs(p.x[i] - cloud.x[n]), std::abs(p.y[i] - cloud.y[n]), std::abs(p.z[i] - cloud.z[n])});
+                worst = std::max({worst, std::abs(p.x[i] - cloud.x[n]), std::abs(p.y[i] - cloud.y[n]),
+                                  std::abs(p.z[i] - cloud.z[n])});
                 same = same && p.intensity[i] == cloud.intensity[n] && p.colour[i] == cloud.colour[n];
             }
         },
@@ -180,7 +182,8 @@ TEST_CASE("A builder that is dropped or stopped leaves neither file nor temporar
         CHECK_THROWS_AS(builder.finish(progress), Error);
     }
     CHECK(files_in(folder.path()) == 0);
-    CHECK_THROWS_WITH(StoreBuilder(folder / "no" / "a.pts", full_info()), Catch::Contains("cannot be written"));
+    CHECK_THROWS_WITH(StoreBuilder(folder / "no" / "a.pts", full_info()),
+                      Catch::Contains("cannot be written"));
 }
 
 TEST_CASE("A store that exists is only replaced by a complete one") {
@@ -208,7 +211,8 @@ TEST_CASE("A damaged block is found by verify, named on reading, and mended by m
     CHECK(damaged[0].node == 2);
     CHECK(damaged[0].at == at);
     CHECK_NOTHROW(store.read_node(1));
-    CHECK_THROWS_WITH(store.read_node(2), Catch::Contains("a.pts") && Catch::Contains("block 2") && Catch::Contains("anew"));
+    CHECK_THROWS_WITH(store.read_node(2),
+                      Catch::Contains("a.pts") && Catch::Contains("block 2") && Catch::Contains("anew"));
     store_cloud(cloud, folder / "a.pts");
     CHECK(PointStore::open(folder / "a.pts").verify(Progress::none()).empty());
 }
@@ -222,13 +226,15 @@ TEST_CASE("A store that is cut, changed in its tables or something else is refus
         bytes[at] = static_cast<char>(bytes[at] ^ 1);
         return folder.write("b.pts", bytes);
     };
-    CHECK_THAT(why_refused(folder.write("b.pts", good.substr(0, good.size() - 1))), Catch::Contains("bytes instead of"));
+    CHECK_THAT(why_refused(folder.write("b.pts", good.substr(0, good.size() - 1))),
+               Catch::Contains("bytes instead of"));
     CHECK_THAT(why_refused(folder.write("b.pts", good.substr(0, 100))), Catch::Contains("100 bytes"));
     CHECK_THAT(why_refused(folder.write("b.pts", "")), Catch::Contains("no point store"));
     CHECK_THAT(why_refused(changed(0)), Catch::Contains("does not start as one"));
     CHECK_THAT(why_refused(changed(8)), Catch::Contains("version 0"));
     CHECK_THAT(why_refused(changed(40)), Catch::Contains("header is damaged"));
-    const std::size_t nodes_at = static_cast<std::size_t>(PointStore::open(folder / "a.pts").nodes()[0].block_at);
+    const std::size_t nodes_at =
+        static_cast<std::size_t>(PointStore::open(folder / "a.pts").nodes()[0].block_at);
     CHECK(nodes_at == sizeof(StoreHeaderRecord));
     CHECK_THAT(why_refused(changed(good.size() - 1)), Catch::Contains("description is damaged"));
 }

@@ -14,7 +14,8 @@ using namespace planum::test;
 namespace {
 
 // Values through a packed stream, fed in pieces of `piece` bytes.
-std::vector<std::int64_t> through_stream(const E57Field& field, const std::string& bytes, std::size_t count, std::size_t piece) {
+std::vector<std::int64_t> through_stream(const E57Field& field, const std::string& bytes, std::size_t count,
+                                         std::size_t piece) {
     E57Stream stream(field);
     std::vector<std::int64_t> out;
     std::size_t at = 0;
@@ -45,8 +46,10 @@ TEST_CASE("CRC-32C is the one of the standard, by instruction and by table") {
     CHECK(crc32c(check) == 0xE3069283U);
     CHECK(crc32c_by_table(check) == 0xE3069283U);
     std::string bytes;
-    for (int i = 0; i < 1020; ++i) bytes.push_back(static_cast<char>(i * 7));
-    for (std::size_t n = 0; n < bytes.size(); n += 13) CHECK(crc32c({bytes.data(), n}) == crc32c_by_table({bytes.data(), n}));
+    for (int i = 0; i < 1020; ++i)
+        bytes.push_back(static_cast<char>(i * 7));
+    for (std::size_t n = 0; n < bytes.size(); n += 13)
+        CHECK(crc32c({bytes.data(), n}) == crc32c_by_table({bytes.data(), n}));
 }
 
 TEST_CASE("Integers of every width come back from the bit stream, however it is cut") {
@@ -73,7 +76,8 @@ TEST_CASE("Texts in a table are passed over, short and long ones") {
     E57Field field;
     field.kind = E57Kind::String;
     E57Stream stream(field);
-    std::string bytes = "\x06" "abc";
+    std::string bytes = "\x06"
+                        "abc";
     put_number(bytes, (300U << 1U) | 1U, 8);
     bytes += std::string(300, 'x') + '\0';
     std::copy(bytes.begin(), bytes.end() - 1, stream.append(bytes.size() - 1));
@@ -101,7 +105,8 @@ TEST_CASE("E57 reads grid, pose, 15-bit intensity, constant colour and misses") 
         REQUIRE(whole.points.x[i] == Approx(std::cos(angle)).margin(6e-7));
         REQUIRE(whole.points.z[i] == Approx(-2.0 + 1e-4 * static_cast<double>(i)));
         REQUIRE(whole.points.intensity[i] == i * 37 % 32768);
-        REQUIRE(whole.points.colour[i] == Rgb{static_cast<std::uint8_t>(i % 256), static_cast<std::uint8_t>(i / 3 % 256), 77});
+        REQUIRE(whole.points.colour[i] ==
+                Rgb{static_cast<std::uint8_t>(i % 256), static_cast<std::uint8_t>(i / 3 % 256), 77});
         REQUIRE(whole.points.row[i] == i % 20);
         REQUIRE(whole.points.column[i] == i / 20);
         REQUIRE((whole.points.validity[i] == Validity::Invalid) == (i % 10 == 9));
@@ -117,13 +122,15 @@ TEST_CASE("E57 reads floating point, spherical coordinates and 16-bit colours") 
     const std::vector<std::int64_t> colour = {0, 65535};
     E57Writer::Scan scan;
     scan.records = 2;
-    scan.columns = {{"<sphericalRange type=\"Float\" precision=\"single\"/>", pack_floats<float>(range)},
-                    {"<sphericalAzimuth type=\"Float\"/>", pack_floats<double>(azimuth)},
-                    {"<sphericalElevation type=\"Float\"/>", pack_floats<double>(elevation)},
-                    {"<colorRed type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
-                    {"<colorGreen type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
-                    {"<colorBlue type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
-                    {"<sphericalInvalidState type=\"Float\" precision=\"single\"/>", pack_floats<float>(std::vector<double>{0, 1})}};
+    scan.columns = {
+        {"<sphericalRange type=\"Float\" precision=\"single\"/>", pack_floats<float>(range)},
+        {"<sphericalAzimuth type=\"Float\"/>", pack_floats<double>(azimuth)},
+        {"<sphericalElevation type=\"Float\"/>", pack_floats<double>(elevation)},
+        {"<colorRed type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
+        {"<colorGreen type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
+        {"<colorBlue type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
+        {"<sphericalInvalidState type=\"Float\" precision=\"single\"/>",
+         pack_floats<float>(std::vector<double>{0, 1})}};
     E57Writer writer;
     writer.add_scan(scan);
     const WholeCloud whole = read_whole(*open_bytes(writer.finish(), ScanFormat::E57), 0, Misses::Keep);
@@ -143,7 +150,8 @@ TEST_CASE("A grid without stated bounds is as large as the indexes") {
     for (const char* name : {"cartesianX", "cartesianY", "cartesianZ"}) {
         scan.columns.push_back({fmt::format("<{} type=\"Float\"/>", name), pack_floats<double>(zeros)});
     }
-    scan.columns.push_back({"<rowIndex type=\"Integer\" minimum=\"0\" maximum=\"7\"/>", pack_bits(rows, 0, 3)});
+    scan.columns.push_back(
+        {"<rowIndex type=\"Integer\" minimum=\"0\" maximum=\"7\"/>", pack_bits(rows, 0, 3)});
     scan.columns.push_back({"<columnIndex type=\"Integer\" minimum=\"0\" maximum=\"0\"/>", ""});
     E57Writer writer;
     writer.add_scan(scan);
@@ -174,8 +182,10 @@ TEST_CASE("E57 tables that promise what they cannot hold are refused") {
     };
     CHECK_THAT(refusal(with("type=\"Float\"", 1000000), ScanFormat::E57), Catch::Contains("do not fit"));
     CHECK_THAT(refusal(with("type=\"Float\"", 3), ScanFormat::E57), Catch::Contains("after 0 of 3 records"));
-    CHECK_THAT(refusal(with("type=\"Integer\" minimum=\"3\" maximum=\"3\"", 1ULL << 60U), ScanFormat::E57), Catch::Contains("do not fit"));
-    CHECK_THAT(refusal(with("type=\"Integer\" minimum=\"4\" maximum=\"3\"", 1), ScanFormat::E57), Catch::Contains("maximum below minimum"));
+    CHECK_THAT(refusal(with("type=\"Integer\" minimum=\"3\" maximum=\"3\"", 1ULL << 60U), ScanFormat::E57),
+               Catch::Contains("do not fit"));
+    CHECK_THAT(refusal(with("type=\"Integer\" minimum=\"4\" maximum=\"3\"", 1), ScanFormat::E57),
+               Catch::Contains("maximum below minimum"));
     CHECK_THAT(refusal(with("type=\"Vector\"", 1), ScanFormat::E57), Catch::Contains("cartesianX"));
 }
 
@@ -195,7 +205,8 @@ TEST_CASE("LAS reads every point format, and colours of 8 and 16 bits") {
             if (!whole.points.colour.empty()) CHECK(whole.points.colour[2] == Rgb{2, 3, 4});
         }
     }
-    CHECK(read_whole(*open_bytes(sample_las({3, 2, 3, true}), ScanFormat::Las)).points.colour[2] == Rgb{2, 3, 4});
+    CHECK(read_whole(*open_bytes(sample_las({3, 2, 3, true}), ScanFormat::Las)).points.colour[2] ==
+          Rgb{2, 3, 4});
     CHECK(open_bytes(sample_las(), ScanFormat::Las)->info().created_at == "2025-02-01");
 }
 
@@ -223,9 +234,15 @@ TEST_CASE("PLY reads the same from text and from both byte orders") {
 
 TEST_CASE("A PLY that cannot be right is refused") {
     CHECK_THAT(refusal("ply\nformat ascii 1.0\n", ScanFormat::Ply), Catch::Contains("end_header"));
-    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", ScanFormat::Ply), Catch::Contains("lacks x, y or z"));
-    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n", ScanFormat::Ply), Catch::Contains("do not fit"));
-    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty floot x\n", ScanFormat::Ply), Catch::Contains("line 4"));
+    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
+                       ScanFormat::Ply),
+               Catch::Contains("lacks x, y or z"));
+    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nproperty float "
+                       "y\nproperty float z\nend_header\n1 2 3\n",
+                       ScanFormat::Ply),
+               Catch::Contains("do not fit"));
+    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty floot x\n", ScanFormat::Ply),
+               Catch::Contains("line 4"));
     std::string cut = sample_ply_binary(false);
     cut.resize(cut.size() - 1);
     CHECK_THAT(refusal(cut, ScanFormat::Ply), Catch::Contains("2 vertices do not fit"));
@@ -246,32 +263,55 @@ TEST_CASE("PCD reads the same from text, binary and compressed") {
 
 TEST_CASE("LZF repeats what a reference points to, overlapping too") {
     // "ab", then 7 bytes from distance 2: abababab a.
-    CHECK(unpack_lzf(std::string("\x01" "ab" "\xA0\x01", 5), 9) == "ababababa");
+    CHECK(unpack_lzf(std::string("\x01"
+                                 "ab"
+                                 "\xA0\x01",
+                                 5),
+                     9) == "ababababa");
     // A long reference: length byte behind the control.
-    CHECK(unpack_lzf(std::string("\x00" "x" "\xE0\x03\x00", 5), 13) == std::string(13, 'x'));
-    CHECK_THROWS_WITH(unpack_lzf(std::string("\x00" "x" "\x20\x05", 4), 4), Catch::Contains("damaged at their byte 2"));
+    CHECK(unpack_lzf(std::string("\x00"
+                                 "x"
+                                 "\xE0\x03\x00",
+                                 5),
+                     13) == std::string(13, 'x'));
+    CHECK_THROWS_WITH(unpack_lzf(std::string("\x00"
+                                             "x"
+                                             "\x20\x05",
+                                             4),
+                                 4),
+                      Catch::Contains("damaged at their byte 2"));
     CHECK_THROWS_WITH(unpack_lzf(std::string("\x00x", 2), 1000000), Catch::Contains("cannot hold"));
     CHECK_THROWS_AS(unpack_lzf(std::string("\x05x", 2), 6), Error);
 }
 
 TEST_CASE("A PCD that cannot be right is refused") {
     CHECK_THAT(refusal("VERSION 0.7\nFIELDS x y z\n", ScanFormat::Pcd), Catch::Contains("DATA"));
-    CHECK_THAT(refusal("FIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nPOINTS 1\nDATA ascii\n1 2\n", ScanFormat::Pcd), Catch::Contains("no fields x, y and z"));
-    CHECK_THAT(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 5\nHEIGHT 2\nPOINTS 11\nDATA ascii\n", ScanFormat::Pcd), Catch::Contains("POINTS 11"));
-    CHECK_THAT(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1000\nDATA binary\n1", ScanFormat::Pcd), Catch::Contains("do not fit"));
+    CHECK_THAT(
+        refusal("FIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nPOINTS 1\nDATA ascii\n1 2\n", ScanFormat::Pcd),
+        Catch::Contains("no fields x, y and z"));
+    CHECK_THAT(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 5\nHEIGHT 2\nPOINTS 11\nDATA ascii\n",
+                       ScanFormat::Pcd),
+               Catch::Contains("POINTS 11"));
+    CHECK_THAT(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1000\nDATA binary\n1", ScanFormat::Pcd),
+               Catch::Contains("do not fit"));
     std::string cut = sample_pcd_compressed();
     cut.resize(cut.size() - 1);
     CHECK_THAT(refusal(cut, ScanFormat::Pcd), Catch::Contains("cut short"));
 }
 
 TEST_CASE("Any file cut at any byte is read or refused, and nothing else") {
-    const std::pair<ScanFormat, std::string> samples[] = {
-        {ScanFormat::Ptx, sample_ptx()},           {ScanFormat::E57, sample_e57(120)},
-        {ScanFormat::Las, sample_las()},           {ScanFormat::Las, sample_las({7, 4, 3, true})},
-        {ScanFormat::Ply, sample_ply_ascii()},     {ScanFormat::Ply, sample_ply_binary(true)},
-        {ScanFormat::Pcd, sample_pcd_ascii()},     {ScanFormat::Pcd, sample_pcd_binary()},
-        {ScanFormat::Pcd, sample_pcd_compressed()}, {ScanFormat::Pts, sample_pts()},
-        {ScanFormat::Xyz, sample_xyz()},           {ScanFormat::ThreeDtk, sample_3d()}};
+    const std::pair<ScanFormat, std::string> samples[] = {{ScanFormat::Ptx, sample_ptx()},
+                                                          {ScanFormat::E57, sample_e57(120)},
+                                                          {ScanFormat::Las, sample_las()},
+                                                          {ScanFormat::Las, sample_las({7, 4, 3, true})},
+                                                          {ScanFormat::Ply, sample_ply_ascii()},
+                                                          {ScanFormat::Ply, sample_ply_binary(true)},
+                                                          {ScanFormat::Pcd, sample_pcd_ascii()},
+                                                          {ScanFormat::Pcd, sample_pcd_binary()},
+                                                          {ScanFormat::Pcd, sample_pcd_compressed()},
+                                                          {ScanFormat::Pts, sample_pts()},
+                                                          {ScanFormat::Xyz, sample_xyz()},
+                                                          {ScanFormat::ThreeDtk, sample_3d()}};
     for (const auto& [format, bytes] : samples) {
         INFO(format_name(format));
         CHECK(refusal(bytes, format).empty());

@@ -15,8 +15,9 @@ using namespace planum::test;
 
 namespace {
 
-constexpr ProjectionKind kAll[] = {ProjectionKind::Equirectangular, ProjectionKind::Cylindrical, ProjectionKind::Mercator,
-                                   ProjectionKind::Miller,          ProjectionKind::EqualArea,   ProjectionKind::Rectilinear,
+constexpr ProjectionKind kAll[] = {ProjectionKind::Equirectangular, ProjectionKind::Cylindrical,
+                                   ProjectionKind::Mercator,        ProjectionKind::Miller,
+                                   ProjectionKind::EqualArea,       ProjectionKind::Rectilinear,
                                    ProjectionKind::Pannini,         ProjectionKind::Stereographic};
 
 ProjectionOptions small(ProjectionKind kind) {
@@ -29,14 +30,15 @@ ProjectionOptions small(ProjectionKind kind) {
 
 /// A room of 10 × 10 × 4 m around the scanner, seen along the middle of each pixel of an equirectangular
 /// picture; every pixel for which `skip` says so is left out.
-template <class Skip>
+template<class Skip>
 PointBlock room(const Projection& seen, Skip skip) {
     PointBlock block;
     for (int row = 0; row < seen.options().height; ++row) {
         for (int column = 0; column < seen.options().width; ++column) {
             if (skip(column, row)) continue;
             const Eigen::Vector3d ray = *seen.ray_of({column + 0.5, row + 0.5});
-            const double range = std::min({5.0 / std::max(std::abs(ray.x()), std::abs(ray.y())), ray.z() > 0.0 ? 2.5 / ray.z() : 1.5 / -ray.z()});
+            const double range = std::min({5.0 / std::max(std::abs(ray.x()), std::abs(ray.y())),
+                                           ray.z() > 0.0 ? 2.5 / ray.z() : 1.5 / -ray.z()});
             block.x.push_back(range * ray.x());
             block.y.push_back(range * ray.y());
             block.z.push_back(range * ray.z());
@@ -69,7 +71,8 @@ TEST_CASE("From pixel to ray and back is where it started, in every projection")
         int tried = 0;
         double worst = 0.0;
         for (int i = 0; i < 5000; ++i) {
-            const Eigen::Vector2d pixel(0.01 * static_cast<double>(random() % 35998 + 1), 0.01 * static_cast<double>(random() % 9998 + 1));
+            const Eigen::Vector2d pixel(0.01 * static_cast<double>(random() % 35998 + 1),
+                                        0.01 * static_cast<double>(random() % 9998 + 1));
             const auto ray = projection.ray_of(pixel);
             if (!ray) continue;
             ++tried;
@@ -102,7 +105,8 @@ TEST_CASE("Every direction of the horizon is in the picture, left is left and up
 TEST_CASE("A projection that cannot show its extent is refused") {
     ProjectionOptions options = small(ProjectionKind::Mercator);
     options.elevation_to = std::numbers::pi / 2.0;
-    CHECK_THROWS_WITH(Projection(options), Catch::Contains("mercator panorama cannot show elevations up to 90.0"));
+    CHECK_THROWS_WITH(Projection(options),
+                      Catch::Contains("mercator panorama cannot show elevations up to 90.0"));
     options = small(ProjectionKind::Rectilinear);
     options.views = 1;
     CHECK_THROWS_WITH(Projection(options), Catch::Contains("at least 3"));
@@ -114,7 +118,8 @@ TEST_CASE("A projection that cannot show its extent is refused") {
 }
 
 TEST_CASE("Each point is in the list of its pixel and in no other, in every projection") {
-    const PointBlock block = room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
+    const PointBlock block =
+        room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
     for (const ProjectionKind kind : kAll) {
         INFO(projection_name(kind));
         PanoramaOptions options;
@@ -129,7 +134,8 @@ TEST_CASE("Each point is in the list of its pixel and in no other, in every proj
                 for (const std::uint32_t point : panorama.points_at(column, row)) {
                     ++listed;
                     const std::uint64_t n = panorama.source(point);
-                    REQUIRE(panorama.projection().index_of(block.x[n], block.y[n], block.z[n]) == row * 360 + column);
+                    REQUIRE(panorama.projection().index_of(block.x[n], block.y[n], block.z[n]) ==
+                            row * 360 + column);
                     REQUIRE(panorama.place(point).norm() >= last * (1.0 - 1e-6));
                     last = panorama.place(point).norm();
                 }
@@ -161,11 +167,14 @@ TEST_CASE("Small holes are closed where both sides agree in range, and have the 
     PanoramaOptions options;
     options.projection = small(ProjectionKind::Equirectangular);
     const Projection seen(options.projection);
-    const PointBlock holed = room(seen, [](int column, int row) { return column % 50 == 7 || (column > 200 && column < 230 && row > 40 && row < 70); });
+    const PointBlock holed = room(seen, [](int column, int row) {
+        return column % 50 == 7 || (column > 200 && column < 230 && row > 40 && row < 70);
+    });
     const Panorama panorama = unroll(holed, options);
     std::size_t empty_small = 0;
-    for (int row = 0; row < 100; ++row) empty_small += panorama.points_at(57, row).empty() ? 1U : 0U;
-    CHECK(empty_small <= 4); // where wall and floor or ceiling meet
+    for (int row = 0; row < 100; ++row)
+        empty_small += panorama.points_at(57, row).empty() ? 1U : 0U;
+    CHECK(empty_small <= 4);                    // where wall and floor or ceiling meet
     CHECK(panorama.points_at(215, 55).empty()); // larger than what is closed
     options.close_gap = 0;
     CHECK(unroll(holed, options).points_at(57, 50).empty());
@@ -184,7 +193,8 @@ TEST_CASE("Small holes are closed where both sides agree in range, and have the 
 TEST_CASE("A sub-pixel shows its place on the surface") {
     PanoramaOptions options;
     options.projection = small(ProjectionKind::Equirectangular);
-    const Panorama panorama = unroll(room(Projection(options.projection), [](int, int) { return false; }), options);
+    const Panorama panorama =
+        unroll(room(Projection(options.projection), [](int, int) { return false; }), options);
     // On the wall x = 5 and on the floor z = -1.5, away from the edges.
     for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(180.3, 40.7), Eigen::Vector2d(170.1, 38.2)}) {
         const auto place = panorama.surface_at(pixel);
@@ -201,7 +211,8 @@ TEST_CASE("A sub-pixel shows its place on the surface") {
 TEST_CASE("Pictures show what the front points are, 0 where there is nothing") {
     PanoramaOptions options;
     options.projection = small(ProjectionKind::Equirectangular);
-    const Panorama panorama = unroll(room(Projection(options.projection), [](int column, int) { return column < 100; }), options);
+    const Panorama panorama =
+        unroll(room(Projection(options.projection), [](int column, int) { return column < 100; }), options);
     const Picture colour = panorama.picture(Channel::Colour);
     CHECK(colour.values[(50 * 360 + 200) * 3] == 50);
     CHECK(colour.values[(50 * 360 + 50) * 3] == 0);
@@ -213,21 +224,26 @@ TEST_CASE("Pictures show what the front points are, 0 where there is nothing") {
     CHECK(normals.values[44 * 360 + 220] < normals.values[44 * 360 + 180]);
     CHECK(panorama.picture(Channel::Range).values[44 * 360 + 180] > 0);
     PanoramaBuilder bare(options, {});
-    CHECK_THROWS_WITH(static_cast<void>(bare.finish(Progress::none()).picture(Channel::Colour)), Catch::Contains("no colour"));
+    CHECK_THROWS_WITH(static_cast<void>(bare.finish(Progress::none()).picture(Channel::Colour)),
+                      Catch::Contains("no colour"));
 }
 
 TEST_CASE("A panorama is written as PNG with its frame beside it, the same bytes every time") {
     const TemporaryFolder folder;
     PanoramaOptions options;
     options.projection = small(ProjectionKind::Pannini);
-    const PointBlock block = room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
+    const PointBlock block =
+        room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
     const Panorama panorama = unroll(block, options);
-    write_panorama(panorama, Channel::Colour, folder / "a.png", "2025-06-01/\"one\"", Eigen::Isometry3d::Identity());
-    write_panorama(panorama, Channel::Colour, folder / "b.png", "2025-06-01/\"one\"", Eigen::Isometry3d::Identity());
+    write_panorama(panorama, Channel::Colour, folder / "a.png", "2025-06-01/\"one\"",
+                   Eigen::Isometry3d::Identity());
+    write_panorama(panorama, Channel::Colour, folder / "b.png", "2025-06-01/\"one\"",
+                   Eigen::Isometry3d::Identity());
     const std::string png = bytes_of(folder / "a.png");
     CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
     CHECK(png.substr(16, 8) == std::string("\0\0\x01\x68\0\0\0\x64", 8)); // 360 × 100
     CHECK(png == bytes_of(folder / "b.png"));
     const std::string json = bytes_of(folder / "a.json");
-    CHECK_THAT(json, Catch::Contains("\"projection\": \"pannini\"") && Catch::Contains("\\\"one\\\"") && Catch::Contains("[1, 0, 0, 0, 0, 1"));
+    CHECK_THAT(json, Catch::Contains("\"projection\": \"pannini\"") && Catch::Contains("\\\"one\\\"") &&
+                         Catch::Contains("[1, 0, 0, 0, 0, 1"));
 }
