@@ -62,6 +62,7 @@ class Placer {
         std::vector<double> x = balance(layouts);
         settle(x);
         shorten(x);
+        settle(x);
         return x;
     }
 
@@ -88,7 +89,7 @@ class Placer {
         for (std::size_t e = 0; e < g_.edges.size(); ++e) {
             const auto [u, v] = g_.edges[e];
             const auto middle = static_cast<std::uint32_t>(g_.nodes + e);
-            const std::int32_t weight = extents_[u].is_line && extents_[v].is_line ? 8 : extents_[u].is_line || extents_[v].is_line ? 2 : 1;
+            const std::int32_t weight = weight_of(u, v);
             arcs.push_back({middle, u, 0, weight});
             arcs.push_back({middle, v, 0, weight});
             start[middle] = std::min(start[u], start[v]);
@@ -96,6 +97,14 @@ class Placer {
         const std::vector<std::int32_t> placed =
             network_simplex(static_cast<std::uint32_t>(start.size()), arcs, static_cast<std::int64_t>(start.size()) * 4, start);
         for (std::uint32_t v = 0; v < g_.nodes; ++v) x[v] = static_cast<double>(placed[v]) / kHalves;
+    }
+
+    // Long lines first of all straight, then boxes that have only each other.
+    [[nodiscard]] std::int32_t weight_of(std::uint32_t upper, std::uint32_t lower) const {
+        const int lines = (extents_[upper].is_line ? 1 : 0) + (extents_[lower].is_line ? 1 : 0);
+        if (lines == 2) return 8;
+        const bool pair = down_.row(upper).size() == 1 && up_.row(lower).size() == 1;
+        return pair ? 4 : lines == 1 ? 2 : 1;
     }
 
     [[nodiscard]] std::vector<std::vector<std::uint32_t>> straight_runs(const std::vector<double>& x) const {
