@@ -138,6 +138,32 @@ TEST_CASE("The include test sees an include that the table does not allow") {
     CHECK(violations(layers, "strat/matrix/harris_matrix.cpp", fine).empty());
 }
 
+TEST_CASE("A source file includes its own header first, so that the header is proven to compile alone") {
+    const Layers layers = read_layers();
+    const fs::path root = planum::test::source_folder();
+    const std::regex include("^\\s*#\\s*include\\s*[\"<]([^\">]+)[\">].*");
+    std::vector<std::string> bad;
+    std::size_t files = 0;
+    for (const auto& [folder, layer] : layers) {
+        if (!fs::exists(root / folder)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            fs::path header = entry.path();
+            header.replace_extension(".hpp");
+            if (entry.path().extension() != ".cpp" || !fs::exists(header)) continue;
+            ++files;
+            std::ifstream in(entry.path());
+            std::string first;
+            std::smatch match;
+            for (std::string line; first.empty() && std::getline(in, line);) {
+                if (std::regex_match(line, match, include)) first = match[1];
+            }
+            if (first != fs::relative(header, root).generic_string()) bad.push_back(entry.path().string() + " begins with " + first);
+        }
+    }
+    CHECK(files > 20);
+    CHECK(bad == std::vector<std::string>{});
+}
+
 TEST_CASE("Only files of core/store hold SQL on the project's tables") {
     const fs::path root = planum::test::source_folder();
     const std::regex sql("\"[^\"]*\\b(INSERT INTO|UPDATE [a-z_]+ SET|DELETE FROM)\\b");
