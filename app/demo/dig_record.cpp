@@ -94,7 +94,7 @@ class Recorder {
         if (is_top && high.z < extent.lowest_top.z) extent.lowest_top = high;
         if (run.gone >= plan_.surfaces) {
             extent.left = true;
-        } else if (!run.baulk) { // a baulk is noted on the sheet, but does not keep it open
+        } else if (run.due == run.gone) { // a baulk is noted on the sheet, but does not keep it open
             extent.first_gone = std::min(extent.first_gone, static_cast<SurfaceNo>(run.gone));
             extent.last_gone = std::max(extent.last_gone, static_cast<SurfaceNo>(run.gone));
         }

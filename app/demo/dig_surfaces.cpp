@@ -40,7 +40,7 @@ SurfaceCell bare_cell(std::span<const DugRun> runs, const DigPlan& plan, double 
         if (run.gone <= surface) continue;
         SurfaceCell cell{run.high, run.unit, Shown::Top};
         if (run.gone == kSide) return {run.high, kAir, Shown::Nothing};
-        if (run.baulk) return {run.high, kAir, Shown::Baulk};
+        if (run.due <= surface) return {run.high, kAir, Shown::Baulk};
         if (i == 0 || runs[i - 1].low - run.high > kTouch) return cell;
         const DugRun& above = runs[i - 1];
         if (above.unit == run.unit) {
@@ -92,16 +92,17 @@ DugGrid::DugGrid(const ColumnGrid& grid, const Formation& formation, const DigPl
             for (std::size_t i = 1; i < heights.size(); ++i) {
                 const Vec3 middle{x, y, 0.5 * (heights[i - 1] + heights[i])};
                 const SurfaceNo gone = plan.gone_on(formed, run.unit, middle);
-                const bool baulk = gone < kSide && gone != plan.gone_without_baulk(formed, run.unit, middle);
+                const SurfaceNo due = gone == kSide ? kSide : plan.gone_without_baulk(formed, run.unit, middle);
                 const auto high = static_cast<float>(heights[i - 1]);
                 const auto low = static_cast<float>(heights[i]);
                 const bool continues = runs_.size() > first_.back() && runs_.back().unit == run.unit &&
                                        runs_.back().cut == run.cut && runs_.back().gone == gone &&
-                                       runs_.back().baulk == baulk && runs_.back().low - high < kTouch;
+                                       runs_.back().due == due && runs_.back().low - high < kTouch;
                 if (continues) {
                     runs_.back().low = low;
                 } else {
-                    runs_.push_back({low, high, run.unit, run.cut, static_cast<std::uint8_t>(gone), baulk});
+                    runs_.push_back({low, high, run.unit, run.cut, static_cast<std::uint8_t>(gone),
+                                     static_cast<std::uint8_t>(due)});
                 }
             }
         }

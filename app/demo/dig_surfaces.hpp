@@ -19,7 +19,7 @@ struct DugRun {
     std::int16_t unit = 0;
     std::int16_t cut = kAir;
     std::uint8_t gone = kNever; ///< surface from which on it is gone
-    bool baulk = false;         ///< stands longer than its surroundings, as baulk
+    std::uint8_t due = kNever;  ///< when it would be gone if it were not in a baulk
 };
 
 /// The columns of a ColumnGrid, cut where the dig cut them.

@@ -41,7 +41,7 @@ class SceneBuilder {
 
     void hut_and_container() {
         const double angle = draw_.between(0.0, 6.28);
-        put(Type::Box, Look::Boards, angle, reach() + 5.5, {2.5, 1.2, 1.3}, angle + 0.4, 0.7);
+        put(Type::Box, Look::Boards, angle, reach() + 5.5, {2.5, 1.2, 1.3}, angle + 0.4, 0.5);
         put(Type::Box, Look::Corrugated, angle + 0.9, reach() + 6.0, {3.0, 1.22, 1.3}, angle + 0.2, 0.45);
     }
 
