@@ -5,8 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "app/demo/record_demo.hpp"
+#include "app/demo/demo_job.hpp"
 #include "paint/font_measure.hpp"
 
 namespace planum::cli {
@@ -17,30 +18,61 @@ struct Options {
     std::string folder;
     std::uint64_t seed = 1;
     std::string size = "small";
+    std::string method = "stratigraphic";
 };
+
+app::demo::SimulationOptions simulation(const Options& options) {
+    app::demo::SimulationOptions simulation;
+    simulation.seed = options.seed;
+    if (options.size == "medium") simulation.size = app::demo::DemoSize::Medium;
+    if (options.size == "large") simulation.size = app::demo::DemoSize::Large;
+    simulation.method = model::dig_method_from_word(options.method).value_or(model::DigMethod::Stratigraphic);
+    return simulation;
+}
+
+void print_json(const Context& context, const app::DemoJob& job, const Options& options) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const auto& file : job.drawings) files.push_back(file.string());
+    context.print({{"folder", options.folder}, {"seed", options.seed}, {"size", options.size}, {"method", options.method},
+                   {"project", job.project.string()}, {"units", job.units}, {"scans", job.scans}, {"points", job.points},
+                   {"errors", job.errors}, {"warnings", job.warnings}, {"project_with_mistakes", job.mistaken_project.string()},
+                   {"mistakes", job.mistakes}, {"errors_with_mistakes", job.errors_mistaken},
+                   {"warnings_with_mistakes", job.warnings_mistaken}, {"drawings", files}});
+}
 
 void run_demo(const Context& context, const Options& options) {
     const paint::FontTextMeasure measure;
-    const app::RecordDemo demo =
-        app::make_record_demo(options.folder, options.seed, options.size, context.session(), measure, *context.progress);
-    *context.out << fmt::format("a sample dig of {} units in {}\n", demo.units, options.folder);
-    *context.out << fmt::format("  mistakes were put into the record; check found {} errors and {} warnings\n\n", demo.errors,
-                                demo.warnings);
-    *context.out << "look at these next:\n";
-    for (const auto& file : demo.files) *context.out << "  " << file.string() << '\n';
-    *context.out << fmt::format("  planum check {0}\n  planum today {0}\n", demo.project.string());
+    const app::DemoJob job =
+        app::run_demo_job(options.folder, simulation(options), context.session(), measure, *context.progress);
+    if (context.json) return print_json(context, job, options);
+    std::ostream& out = *context.out;
+    out << fmt::format("a simulated dig in {}: {} units, {} scans with {} points, dug in the {} way\n", options.folder, job.units,
+                       job.scans, job.points, options.method);
+    out << fmt::format("  record/         its sheets; check says {} errors, {} warnings\n", job.errors, job.warnings);
+    out << fmt::format("  with-mistakes/  a copy with {} mistakes; check says {} errors, {} warnings\n", job.mistakes,
+                       job.errors_mistaken, job.warnings_mistaken);
+    out << "  DAY/*.ptx       the scans, markers.csv what was measured of the markers\n"
+           "  outlines/       what the draughtsman drew on each day\n"
+           "  truth.json      what is true: poses, order, contacts, volumes, mistakes\n\n";
+    out << "look at these next:\n";
+    for (const auto& file : job.drawings) out << "  " << file.string() << '\n';
+    out << fmt::format("  planum check {}\n  planum today {}\n  planum info {}\n", job.mistaken_project.string(), job.project.string(),
+                       job.project.string());
 }
 
 } // namespace
 
 void add_demo_commands(CLI::App& root, Context& context) {
     auto options = std::make_shared<Options>();
-    CLI::App* demo = add_command(root, context, "demo", "make a sample dig in a folder and run the whole job on it", false);
+    CLI::App* demo = add_command(root, context, "demo", "simulate a dig in a new folder and run the whole job on it", false);
     demo->add_option("DIR", options->folder, "folder to make")->required();
     demo->add_option("--seed", options->seed, "the same seed gives the same dig")->capture_default_str();
-    demo->add_option("--size", options->size, "small, medium or large")
+    demo->add_option("--size", options->size, "small (12 units, seconds), medium (40) or large (300, gigabytes)")
         ->capture_default_str()
         ->check(CLI::IsMember({"small", "medium", "large"}));
+    demo->add_option("--method", options->method, "how it was dug: stratigraphic, planum (in levels) or mixed")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"stratigraphic", "planum", "mixed"}));
     demo->callback([&context, options] { run_demo(context, *options); });
 }
 

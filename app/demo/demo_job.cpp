@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "app/demo/demo_job.hpp"
+
+#include <string>
+
+#include "app/checks/daily_check.hpp"
+#include "app/drawing/draw_matrix.hpp"
+#include "app/import/import_service.hpp"
+#include "app/reports/report.hpp"
+#include "core/base/file.hpp"
+#include "strat/layout/svg_writer.hpp"
+
+namespace planum::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Project project_of(const fs::path& file, const fs::path& sheets, model::DigMethod method, const Session& session,
+                   Progress& progress) {
+    model::ProjectSettings settings;
+    settings.name = "Sample dig";
+    settings.method = method;
+    Project project = Project::create(file, settings, session);
+    import_files(project, {sheets}, {}, progress);
+    return project;
+}
+
+} // namespace
+
+DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& options, const Session& session,
+                     const strat::TextMeasure& measure, Progress& progress) {
+    DemoJob job;
+    {
+        const demo::DemoDig dig = demo::simulate(options, progress);
+        job.points = demo::write_demo(dig, folder, progress).points;
+        job.scans = static_cast<std::size_t>(dig.plan.surfaces * dig.site.stations);
+        job.mistakes = dig.mistakes.size();
+    }
+    progress.step("importing the sheets");
+    job.project = folder / "demo.gpkg";
+    Project project = project_of(job.project, folder / "record", options.method, session, progress);
+    job.units = project.record().units.size();
+    const DailyCheck check = check_project(project, {}, progress);
+    job.errors = check.count(model::Severity::Error);
+    job.warnings = check.count(model::Severity::Warning);
+
+    job.mistaken_project = folder / "with-mistakes" / "demo.gpkg";
+    Project mistaken = project_of(job.mistaken_project, folder / "with-mistakes", options.method, session, progress);
+    const DailyCheck found = check_project(mistaken, {}, progress);
+    job.errors_mistaken = found.count(model::Severity::Error);
+    job.warnings_mistaken = found.count(model::Severity::Warning);
+
+    progress.step("drawing and reporting");
+    job.drawings = {folder / "matrix.svg", folder / "report.html", folder / "report.xml"};
+    DrawRequest request;
+    request.titles = true;
+    write_file_atomically(job.drawings[0], strat::write_svg(draw_matrix(project, request, measure, progress)));
+    write_report(project, job.drawings[1], {}, measure, progress);
+    write_report(project, job.drawings[2], {}, measure, progress);
+    return job;
+}
+
+} // namespace planum::app

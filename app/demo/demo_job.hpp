@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "app/demo/simulator.hpp"
+#include "app/project/project.hpp"
+#include "core/base/progress.hpp"
+#include "strat/layout/text_measure.hpp"
+
+namespace planum::app {
+
+/// What the demo made, and what the job on it came to.
+struct DemoJob {
+    std::filesystem::path project;          ///< from the sheets as they should be
+    std::filesystem::path mistaken_project; ///< from the copy with mistakes
+    std::vector<std::filesystem::path> drawings; ///< to look at
+    std::size_t units = 0;
+    std::size_t scans = 0;
+    std::int64_t points = 0;
+    std::size_t mistakes = 0;
+    std::size_t errors = 0;        ///< what check says about the sheets as they should be
+    std::size_t warnings = 0;
+    std::size_t errors_mistaken = 0; ///< and about the copy with mistakes
+    std::size_t warnings_mistaken = 0;
+};
+
+/// Simulates a dig, writes it into `folder` (see demo::write_demo) and runs the job on it: a project from the
+/// sheets, one from the copy with mistakes, both checked; matrix.svg, report.html and report.xml of the
+/// first. Throws Conflict when the folder is not empty.
+[[nodiscard]] DemoJob run_demo_job(const std::filesystem::path& folder, const demo::SimulationOptions& options,
+                                   const Session& session, const strat::TextMeasure& measure, Progress& progress);
+
+} // namespace planum::app
