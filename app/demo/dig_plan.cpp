@@ -54,7 +54,6 @@ void schedule_units(DigPlan& plan, const Formation& formation, const std::vector
         // The topsoil went before the first scan, as machines take it off.
         const SurfaceNo out = rank[u] == 0 ? 0 : 1 + (rank[u] - 1) * (plan.surfaces - 1) / std::max(deepest, 1);
         plan.out[u] = natural ? kNever : out;
-        plan.whole[u] = natural ? 0 : 1;
     }
 }
 
@@ -102,14 +101,12 @@ void schedule_levels(DigPlan& plan, const Formation& formation, const ColumnGrid
         const FormedUnit& unit = formation.units()[u];
         plan.out[u] = kNever;
         const bool whole = plan.method == DigMethod::Mixed && (unit.form == UnitForm::Fill || unit.thin);
-        if (unit.kind == UnitKind::Structure) plan.whole[u] = 1;
         if (!whole) continue;
-        plan.whole[u] = 1;
         plan.out[u] = std::min(first_seen(plan, highest[u]) + 1, plan.surfaces - 1);
     }
     // A lower fill cannot go before the one above it; one that was recognised late goes a surface later.
     for (std::size_t u = plan.out.size(); u-- > 0;) {
-        if (plan.whole[u] == 0 || formation.units()[u].form != UnitForm::Fill) continue;
+        if (plan.out[u] == kNever || formation.units()[u].form != UnitForm::Fill) continue;
         const UnitNo cut = formation.units()[u].cut;
         if (std::find(plan.late.begin(), plan.late.end(), cut) != plan.late.end()) {
             plan.out[u] = std::min(plan.out[u] + 1, plan.surfaces - 1);
@@ -219,18 +216,20 @@ double DigPlan::side_height(double x, double y) const noexcept {
 
 SurfaceNo DigPlan::gone_without_baulk(const FormedUnit& formed, UnitNo unit, const Vec3& p) const noexcept {
     SurfaceNo gone = out[static_cast<std::size_t>(unit)];
-    if (has_levels() && whole[static_cast<std::size_t>(unit)] == 0) {
-        gone = kNever;
-        for (SurfaceNo s = 0; s < surfaces && gone == kNever; ++s) {
-            if (p.z > levels[static_cast<std::size_t>(s)].at(p.x, p.y)) gone = s;
-        }
-        // What is still in a hollow below the last level is emptied on the last day.
-        if (formed.form == UnitForm::Fill) gone = std::min(gone, surfaces - 1);
-    }
     if (half.cut != kAir && formed.cut == half.cut && formed.form == UnitForm::Fill) {
         const bool first = (p.x - half.x) * half.normal_x + (p.y - half.y) * half.normal_y > 0.0;
-        const SurfaceNo whole_half = first ? half.first : std::min(half.first + 1, surfaces - 1);
-        gone = method == DigMethod::Stratigraphic ? std::max(gone, whole_half) : std::min(gone, whole_half);
+        const SurfaceNo emptied = first ? half.first : std::min(half.first + 1, surfaces - 1);
+        gone = has_levels() ? emptied : std::max(gone, emptied);
+    }
+    if (has_levels() && formed.kind != UnitKind::Structure) {
+        // What is still in a hollow below the last level is emptied on the last day.
+        if (formed.form == UnitForm::Fill) gone = std::min(gone, surfaces - 1);
+        for (SurfaceNo s = 0; s < std::min(surfaces, gone); ++s) {
+            if (p.z > levels[static_cast<std::size_t>(s)].at(p.x, p.y)) {
+                gone = s;
+                break;
+            }
+        }
     }
     return overdug.holds(p) ? std::min(gone, overdug.surface) : gone;
 }
@@ -257,7 +256,6 @@ DigPlan plan_dig(const SiteShape& site, const Formation& formation, const Column
     plan.site = site;
     plan.seed = seed;
     plan.out.assign(formation.units().size(), kNever);
-    plan.whole.assign(formation.units().size(), 0);
     Draw draw(seed, 300);
     for (int day = 0; day < site.days; ++day) plan.days.push_back(day_after("2025-06-01", day));
     choose_late(plan, formation, draw);

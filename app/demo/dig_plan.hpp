@@ -53,8 +53,7 @@ struct HalfSection {
 struct DigPlan {
     model::DigMethod method = model::DigMethod::Stratigraphic;
     SurfaceNo surfaces = 4;
-    std::vector<SurfaceNo> out;       ///< per unit; on levels, for what is taken out whole
-    std::vector<std::uint8_t> whole;  ///< per unit: taken out whole, not in levels
+    std::vector<SurfaceNo> out;       ///< per unit: gone at the latest; kNever: by levels only, or not at all
     std::vector<HeightTable> levels;  ///< per surface, where the method has levels
     double baulk_low = 0.0;           ///< strip of x that goes last; empty when not low < high
     double baulk_high = 0.0;
