@@ -57,11 +57,16 @@ void schedule_units(DigPlan& plan, const Formation& formation, const std::vector
     }
 }
 
-void make_levels(DigPlan& plan) {
-    const double top = plan.site.trench.high.z - 0.16;
+// Mean height of a level: from where the machine stopped, in or below the topsoil, to just inside the natural.
+double level_height(const DigPlan& plan, SurfaceNo surface) {
+    const double top = plan.site.trench.high.z - (plan.site.phases == 1 ? 0.32 : 0.2);
     const double bottom = plan.site.natural - 0.06;
+    return top + (bottom - top) * surface / (plan.surfaces - 1);
+}
+
+void make_levels(DigPlan& plan) {
     for (SurfaceNo s = 0; s < plan.surfaces; ++s) {
-        const double mean = top + (bottom - top) * s / (plan.surfaces - 1);
+        const double mean = level_height(plan, s);
         const std::uint64_t key = mix(plan.seed, static_cast<std::uint64_t>(700 + s));
         HeightTable level(plan.site.trench, plan.site.table_step);
         level.fill([&](double x, double y) {
@@ -74,11 +79,7 @@ void make_levels(DigPlan& plan) {
 // First surface on which the unit shows: its highest body is above that level.
 SurfaceNo first_seen(const DigPlan& plan, double highest) {
     for (SurfaceNo s = 0; s < plan.surfaces; ++s) {
-        if (plan.site.trench.high.z - 0.16 + (plan.site.natural - 0.06 - plan.site.trench.high.z + 0.16) * s /
-                                                 (plan.surfaces - 1) <
-            highest - 0.02) {
-            return s;
-        }
+        if (level_height(plan, s) < highest - 0.02) return s;
     }
     return plan.surfaces - 1;
 }
