@@ -45,7 +45,7 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
     job.errors = check.count(model::Severity::Error);
     job.warnings = check.count(model::Severity::Warning);
 
-    job.mistaken_project = folder / "with-mistakes" / "demo.gpkg";
+    job.mistaken_project = folder / "with-mistakes.gpkg";
     Project mistaken = project_of(job.mistaken_project, folder / "with-mistakes", options.method, session, progress);
     const DailyCheck found = check_project(mistaken, {}, progress);
     job.errors_mistaken = found.count(model::Severity::Error);
