@@ -22,8 +22,8 @@ struct Keyed {
     std::uint32_t index = 0;
 };
 
-/// Cosine of the incidence under which ground is seen too flat to vote: of rough ground a low ray meets the
-/// tops and skips the hollows, which lifts it.
+/// Cosine of the incidence under which ground is seen too flat to vote (about 84° off the normal): its planes come
+/// from points far apart along the ray.
 constexpr double kLeastIncidence = 0.1;
 
 constexpr std::uint64_t kCubesASide = std::uint64_t{1} << 21U;
