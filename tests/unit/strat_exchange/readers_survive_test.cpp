@@ -67,7 +67,7 @@ TEST_CASE("Every reader survives binary, wrong encodings and long lines") {
         binary.push_back(static_cast<char>((i * 7919) >> 3));
     const std::string utf16 = std::string{"\xFF\xFE"} + std::string("u\0n\0i\0t\0,\0a\0\n\0"
                                                                     "1\0,\0x\0\0\xD8",
-                                                                    24);
+                                                                    22);
     const std::string long_line(2'000'000, 'a');
     const std::string long_row = "unit,relation,other\n1,covers," + std::string(2'000'000, ',');
     const std::string open_quotes = "unit,title\n" + std::string(500'000, '"') + "\n1,\"\n";
