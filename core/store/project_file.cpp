@@ -147,9 +147,10 @@ std::int64_t ProjectFile::change(std::string_view label, const std::function<voi
     sqlite::Changeset changes;
     {
         sqlite::Session session(database);
+        // The session looks tables up in this order for every row; most rows of an import are these.
+        for (const char* table : {"relation_statement", "relation", "unit"}) session.attach(table);
         for (const std::string& table : record_tables()) session.attach(table);
         work();
-        state.log_inserts();
         changes = session.changeset();
     }
     if (changes.empty()) return 0;

@@ -59,6 +59,11 @@ void RowBinder::boolean(std::string_view, bool value) {
 void RowBinder::uuid(const Uuid& id) {
     if (id.is_nil()) {
         null();
+    } else if (ids_used_ < ids_.size()) {
+        std::array<char, 36>& text = ids_[ids_used_++];
+        const std::string said = id.to_string();
+        std::copy(said.begin(), said.end(), text.begin());
+        statement_->bind_static(index_++, std::string_view{text.data(), text.size()});
     } else {
         statement_->bind(index_++, std::string_view{id.to_string()});
     }

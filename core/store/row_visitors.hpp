@@ -53,8 +53,8 @@ class ColumnNames {
     std::vector<std::string_view> names_;
 };
 
-/// Binds the members of a value to a statement's parameters, from `first` on. The value must live until the
-/// statement has run. Empty texts and nil ids become NULL.
+/// Binds the members of a value to a statement's parameters, from `first` on. The value and the binder must
+/// live until the statement has run. Empty texts and nil ids become NULL.
 class RowBinder {
   public:
     RowBinder(sqlite::Statement& statement, int first, std::int32_t srs_id)
@@ -102,6 +102,8 @@ class RowBinder {
     sqlite::Statement* statement_;
     int index_;
     std::int32_t srs_id_;
+    std::array<std::array<char, 36>, 8> ids_; ///< texts of the ids bound, so that none has to be copied
+    std::size_t ids_used_ = 0;
 
 
 };
