@@ -79,7 +79,7 @@ class Trench {
         double depth; // 1 in the middle, 0 at the edge
     };
 
-    std::vector<Entry>& column(int x, int y) { return columns_[static_cast<std::size_t>(y * kWide + x)]; }
+    std::vector<Entry>& column(int x, int y) { return columns_[static_cast<std::size_t>(y) * kWide + static_cast<std::size_t>(x)]; }
 
     std::uint32_t add_unit(UnitKind kind, UnitForm form) {
         units_.push_back({kind, form, static_cast<double>(units_.size()), {}});

@@ -38,6 +38,7 @@ std::vector<char> units_in_own_cycles(const CheckContext& c) {
 
 std::vector<std::uint32_t> orders_of(const CycleGroup& group, const std::vector<std::uint32_t>& arcs) {
     std::vector<std::uint32_t> orders;
+    orders.reserve(arcs.size());
     for (const std::uint32_t arc : arcs) orders.push_back(group.orders[arc]);
     return orders;
 }

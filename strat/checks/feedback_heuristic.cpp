@@ -206,6 +206,7 @@ class GrowingOrder {
         std::vector<std::uint32_t> nodes = before;
         nodes.insert(nodes.end(), after.begin(), after.end());
         std::vector<std::uint32_t> places;
+        places.reserve(nodes.size());
         for (const std::uint32_t v : nodes) places.push_back(place_[v]);
         std::sort(places.begin(), places.end());
         for (std::size_t i = 0; i < nodes.size(); ++i) place_[nodes[i]] = places[i];

@@ -22,9 +22,11 @@ std::string unit_text(const CheckContext& c, model::UnitId id) {
 
 std::vector<std::string> named_parts(const CheckContext& c, const model::Diagnostic& d) {
     std::vector<std::string> units;
+    units.reserve(d.units.size() + d.relations.size());
     for (const model::UnitId id : d.units) units.push_back(unit_text(c, id));
     std::sort(units.begin(), units.end());
     std::vector<std::string> relations;
+    relations.reserve(d.relations.size());
     for (const model::NamedRelation& r : d.relations) {
         relations.push_back(fmt::format("{}\t{}\t{}", unit_text(c, r.unit), model::to_word(r.kind), unit_text(c, r.other)));
     }

@@ -220,7 +220,7 @@ class SuspectFinder {
             s.reasons.push_back(fmt::format("no circle is left when {} and {} are two units", c_.name(c_.subject[a.relation]),
                                             c_.name(c_.object[a.relation])));
         } else {
-            s.reasons.push_back("without it some circles are gone, but not all");
+            s.reasons.emplace_back("without it some circles are gone, but not all");
         }
         add_reasons(s, weights_.weigh_same_as(a.relation));
         return s;
