@@ -53,9 +53,14 @@ class Spoiler {
             const auto seen = seen_.find({r.later, r.earlier});
             return seen == seen_.end() ? 0.0 : seen->second.area;
         };
+        const auto orders = [](const RecordedRelation& r) {
+            return r.relation == "covers" || r.relation == "cuts" || r.relation == "fills";
+        };
+        // Best one that surfaces show to be wrong and that closes a cycle; else what there is.
         const RecordedRelation* chosen = choose(record_.relations, relations_touched_, [&](const RecordedRelation& r) {
-            return (r.relation == "covers" || r.relation == "cuts" || r.relation == "fills") && (!shown || area(r) >= 0.1);
+            return orders(r) && (!shown || area(r) >= 0.1) && has_way_around(r);
         });
+        if (chosen == nullptr) chosen = choose(record_.relations, relations_touched_, orders);
         if (chosen == nullptr) return;
         const RecordedRelation model = *chosen;
         Mistake mistake{"reversed-relation", "relations.csv", model.unit, sentence(model), "", area(model) >= 0.1};
@@ -67,6 +72,17 @@ class Spoiler {
             if (r.relation == model.relation) mistake.is = sentence(r);
         }
         mistakes_.push_back(std::move(mistake));
+    }
+
+    // Somebody in between that the later one is above and that is above the earlier one.
+    [[nodiscard]] bool has_way_around(const RecordedRelation& r) const {
+        std::set<UnitNo> below;
+        for (const RecordedRelation& other : record_.relations) {
+            if (other.later == r.later && other.earlier != r.earlier) below.insert(other.earlier);
+        }
+        return std::any_of(record_.relations.begin(), record_.relations.end(), [&](const RecordedRelation& other) {
+            return other.earlier == r.earlier && below.contains(other.later);
+        });
     }
 
     // On one sheet only; the other sheet still has it right.
