@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -136,14 +137,47 @@ void choose_late(DigPlan& plan, const Formation& formation, Draw& draw) {
     std::sort(plan.late.begin(), plan.late.end());
 }
 
-void choose_half(DigPlan& plan, const Formation& formation, Draw& draw) {
-    std::vector<const FormationEvent*> pits;
+// The surface on which the last fill of a pit is gone, if it were not for the half-section.
+SurfaceNo emptied_on(const DigPlan& plan, const Formation& formation, UnitNo cut) {
+    SurfaceNo last = 1;
+    for (std::size_t u = 0; u < formation.units().size(); ++u) {
+        if (formation.units()[u].cut == cut && plan.out[u] < kSide) last = std::max(last, plan.out[u]);
+    }
+    if (plan.method == DigMethod::Planum) return plan.surfaces - 2;
+    return plan.has_levels() ? std::min(last, plan.surfaces - 2) : last;
+}
+
+// Can one half stay a surface longer without what the pit was cut into going first?
+bool may_wait(const DigPlan& plan, const std::vector<Contact>& contacts, UnitNo cut, SurfaceNo second) {
+    if (second >= plan.surfaces) return false;
+    return plan.has_levels() || std::none_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+               return contact.later == cut && plan.out[static_cast<std::size_t>(contact.earlier)] < second;
+           });
+}
+
+// Or can the other half go a surface earlier: is everything off that lay on the pit?
+bool may_begin(const DigPlan& plan, const Formation& formation, const std::vector<Contact>& contacts, UnitNo cut, SurfaceNo first) {
+    return first >= 1 && std::none_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+               const auto of_pit = [&](UnitNo unit) { return unit == cut || formation.units()[static_cast<std::size_t>(unit)].cut == cut; };
+               return of_pit(contact.earlier) && !of_pit(contact.later) && plan.out[static_cast<std::size_t>(contact.later)] > first;
+           });
+}
+
+void choose_half(DigPlan& plan, const Formation& formation, const std::vector<Contact>& contacts, Draw& draw) {
+    std::vector<std::pair<const FormationEvent*, SurfaceNo>> pits; // and when the first half is empty
     for (const FormationEvent& event : formation.events()) {
         if (event.type != FormationEvent::Type::Cut || event.cut.plan != Plan::Round || event.cut.radius < 0.3) continue;
-        if (std::find(plan.late.begin(), plan.late.end(), event.unit) == plan.late.end()) pits.push_back(&event);
+        if (plan.late.size() > 1 && std::find(plan.late.begin(), plan.late.end(), event.unit) != plan.late.end()) continue;
+        const SurfaceNo emptied = emptied_on(plan, formation, event.unit);
+        if (may_wait(plan, contacts, event.unit, emptied + 1)) {
+            pits.emplace_back(&event, emptied);
+        } else if (may_begin(plan, formation, contacts, event.unit, emptied - 1)) {
+            pits.emplace_back(&event, emptied - 1);
+        }
     }
     if (pits.empty()) return;
-    const FormationEvent& pit = *pits[static_cast<std::size_t>(draw.below(static_cast<int>(pits.size())))];
+    const auto& [chosen, first] = pits[static_cast<std::size_t>(draw.below(static_cast<int>(pits.size())))];
+    const FormationEvent& pit = *chosen;
     HalfSection& half = plan.half;
     half.cut = pit.unit;
     half.x = pit.cut.x;
@@ -151,12 +185,7 @@ void choose_half(DigPlan& plan, const Formation& formation, Draw& draw) {
     const double angle = draw.between(0.0, 2.0 * std::numbers::pi);
     half.normal_x = std::cos(angle);
     half.normal_y = std::sin(angle);
-    SurfaceNo last = 1;
-    for (std::size_t u = 0; u < formation.units().size(); ++u) {
-        if (formation.units()[u].cut == pit.unit && plan.out[u] < kSide) last = std::max(last, plan.out[u]);
-    }
-    half.first = plan.method == DigMethod::Planum ? plan.surfaces - 2 : std::min(last, plan.surfaces - 2);
-    half.first = std::max(half.first, 1);
+    half.first = first;
 }
 
 void choose_overdug(DigPlan& plan, const ColumnGrid& grid, Draw& draw) {
@@ -220,7 +249,7 @@ SurfaceNo DigPlan::gone_without_baulk(const FormedUnit& formed, UnitNo unit, con
     if (half.cut != kAir && formed.cut == half.cut && formed.form == UnitForm::Fill) {
         const bool first = (p.x - half.x) * half.normal_x + (p.y - half.y) * half.normal_y > 0.0;
         const SurfaceNo emptied = first ? half.first : std::min(half.first + 1, surfaces - 1);
-        gone = has_levels() ? emptied : std::max(gone, emptied);
+        gone = emptied;
     }
     if (has_levels() && formed.kind != UnitKind::Structure) {
         // What is still in a hollow below the last level is emptied on the last day.
@@ -270,7 +299,7 @@ DigPlan plan_dig(const SiteShape& site, const Formation& formation, const Column
     if (site.days >= 4) {
         plan.baulk_low = site.trench.low.x + draw.between(0.08, 0.16) * width;
         plan.baulk_high = plan.baulk_low + std::min(0.5, 0.06 * width);
-        choose_half(plan, formation, draw);
+        choose_half(plan, formation, contacts, draw);
     }
     choose_overdug(plan, grid, draw);
     choose_slump(plan, draw);
