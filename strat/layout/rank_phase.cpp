@@ -169,6 +169,9 @@ class Ranker {
             const std::uint32_t a = levels_.find(pair.later);
             const std::uint32_t b = levels_.find(pair.earlier);
             if (a == b || band[a] != band[b] || graph_.boxes[pair.later].box.isolated || graph_.boxes[pair.earlier].box.isolated) continue;
+            // Boxes outside all bands are held between others' bands by different chains; tied together these
+            // chains can close a circle through the bands' borders.
+            if (!graph_.bands.empty() && band[a] == kNoBand) continue;
             // Components are laid out apart, each from its own first level.
             if (graph_.bands.empty() && out_.component[pair.later] != out_.component[pair.earlier]) continue;
             if (reaches(members, below, a, b) || reaches(members, below, b, a)) continue;
