@@ -71,7 +71,8 @@ class Placer {
     // gets a node of its own left of both its ends. Keeps the page narrow, which four averaged layouts do not;
     // they are the start, so that few steps are needed.
     void shorten(std::vector<double>& x) const {
-        constexpr std::size_t kMostNodes = 9000; // beyond, the seconds are not worth the paper
+        constexpr std::size_t kMostNodes = 60'000; // beyond, the seconds are not worth the paper
+        constexpr std::int64_t kWork = 90'000'000; // a pivot costs up to a step a node
         if (g_.nodes + g_.edges.size() > kMostNodes || g_.edges.empty()) return;
         std::vector<std::int32_t> start(g_.nodes + g_.edges.size());
         std::vector<RankArc> arcs;
@@ -95,7 +96,7 @@ class Placer {
             start[middle] = std::min(start[u], start[v]);
         }
         const std::vector<std::int32_t> placed =
-            network_simplex(static_cast<std::uint32_t>(start.size()), arcs, static_cast<std::int64_t>(start.size()) * 4, start);
+            network_simplex(static_cast<std::uint32_t>(start.size()), arcs, kWork / std::ssize(start), start);
         for (std::uint32_t v = 0; v < g_.nodes; ++v) x[v] = static_cast<double>(placed[v]) / kHalves;
     }
 
