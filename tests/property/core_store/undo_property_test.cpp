@@ -55,7 +55,7 @@ bool in_another_process(const std::filesystem::path& file, ChangeEntry (ProjectF
 
 TEST_CASE("Undo after do, and redo after undo, are nothing at all, whoever does them") {
     // Every case starts a dozen processes and waits for the disk: fewer cases than usual, unless somebody asks.
-    setenv("RC_PARAMS", "max_success=12", 0);
+    setenv("RC_PARAMS", "max_success=4", 0);
     const bool holds = rc::check("undo and redo by another process", [](std::uint64_t id_seed) {
         const auto seeds = *rc::gen::container<std::vector<std::uint32_t>>(6, rc::gen::arbitrary<std::uint32_t>());
         const test::TemporaryFolder folder;
