@@ -52,6 +52,12 @@ TEST_CASE("A program that is no layout process is an error, not a drawing") {
 }
 
 TEST_CASE("A layout that needs more memory than allowed is an error with what to do") {
+#if defined(__SANITIZE_ADDRESS__)
+    // The sanitizer reserves terabytes of addresses, so the worker cannot limit them.
+    WARN("SKIPPED under the address sanitizer: memory limits");
+    SUCCEED();
+    return;
+#endif
     GraphvizOptions options;
     options.limits.megabytes = 1; // not even the program fits
     CHECK_THROWS_WITH(drawn(a_matrix().above("1", "2").record(), options), Catch::Contains("use the engine planum"));
