@@ -100,7 +100,8 @@ Row judge(const MatrixDrawing& drawing, double seconds) {
     row.crossings = -1; // slanting lines: see the orders below
     for (const DrawnLine& line : drawing.lines) {
         for (std::size_t i = 1; i < line.points.size(); ++i) {
-            row.length += std::hypot(line.points[i].x - line.points[i - 1].x, line.points[i].y - line.points[i - 1].y) * kMetresPerPoint;
+            row.length += std::hypot(line.points[i].x - line.points[i - 1].x, line.points[i].y - line.points[i - 1].y) *
+                          kMetresPerPoint;
         }
     }
     return row;
@@ -112,8 +113,8 @@ void print(const char* engine, const std::optional<Row>& row) {
         return;
     }
     const std::string crossings = row->crossings < 0 ? "-" : fmt::format("{}", row->crossings);
-    fmt::print("  {:<14} {:>9.3f} {:>10} {:>8} {:>9.2f} {:>8.3f} {:>8.2f}\n", engine, row->seconds, crossings, row->bends,
-               row->length, row->area, row->width);
+    fmt::print("  {:<14} {:>9.3f} {:>10} {:>8} {:>9.2f} {:>8.3f} {:>8.2f}\n", engine, row->seconds, crossings,
+               row->bends, row->length, row->area, row->width);
 }
 
 std::optional<MatrixDrawing> timed(const LayoutEngine& engine, const LayoutRequest& request, double& seconds) {
@@ -192,9 +193,11 @@ void compare(const std::string& name, const model::Record& record, int dot_secon
     drawing_options.bands = Bands::None;
     const LayoutRequest request{record, matrix, text, drawing_options, {}};
     fmt::print("{}: {} units, {} reduced orders\n", name, record.units.size(), matrix.reduced().size());
-    fmt::print("  {:<14} {:>9} {:>10} {:>8} {:>9} {:>8} {:>8}\n", "engine", "s", "crossings", "bends", "lines m", "area m²", "width m");
+    fmt::print("  {:<14} {:>9} {:>10} {:>8} {:>9} {:>8} {:>8}\n", "engine", "s", "crossings", "bends", "lines m",
+               "area m²", "width m");
     double seconds = 0.0;
-    const double planum_seconds = bench::median_seconds(3, [&] { static_cast<void>(PlanumEngine().draw(request, Progress::none())); });
+    const double planum_seconds =
+        bench::median_seconds(3, [&] { static_cast<void>(PlanumEngine().draw(request, Progress::none())); });
     const MatrixDrawing ours = PlanumEngine().draw(request, Progress::none());
     print("planum", judge(ours, planum_seconds));
     GraphvizOptions options;
@@ -208,7 +211,8 @@ void compare(const std::string& name, const model::Record& record, int dot_secon
     double ortho_seconds = 0.0;
     const auto ortho = timed(GraphvizEngine(options), request, ortho_seconds);
     print("dot ortho", ortho ? std::optional(judge(*ortho, ortho_seconds)) : std::nullopt);
-    const std::string faster = ortho ? fmt::format("{:.0f}", ortho_seconds / planum_seconds) : fmt::format("over {:.0f}", dot_seconds / planum_seconds);
+    const std::string faster = ortho ? fmt::format("{:.0f}", ortho_seconds / planum_seconds)
+                                     : fmt::format("over {:.0f}", dot_seconds / planum_seconds);
     fmt::print("  {} times as fast as dot with orthogonal lines\n", faster);
     const ReadBack read = read_back(ours);
     fmt::print("  read back: {} orders, {} faults\n", read.orders.size(), read.faults.size());
@@ -224,8 +228,12 @@ int main(int argc, char** argv) {
     fmt::print("{}\n", bench::machine());
     for (const std::size_t units : {100U, 300U, 500U, 700U, 1000U, 2000U, 4000U, 20000U}) {
         if (units > largest) break;
-        compare("sparse", test::a_trench({.units = units, .seed = 3, .width = 20 + units / 12, .layer_reach = 8}), dot_seconds);
-        compare("dense", test::a_dense_record({.units = units, .orders_each = 4, .seed = 3, .depth = 20 + units / 60, .reach = 6}), dot_seconds);
+        compare("sparse", test::a_trench({.units = units, .seed = 3, .width = 20 + units / 12, .layer_reach = 8}),
+                dot_seconds);
+        compare(
+            "dense",
+            test::a_dense_record({.units = units, .orders_each = 4, .seed = 3, .depth = 20 + units / 60, .reach = 6}),
+            dot_seconds);
     }
     return 0;
 }

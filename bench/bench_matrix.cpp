@@ -128,7 +128,8 @@ double boost_reduction(const strat::Adjacency& below, double limit) {
         std::vector<Graph::vertex_descriptor> map(below.rows());
         std::vector<std::size_t> index(below.rows());
         for (std::size_t i = 0; i < index.size(); ++i) index[i] = i;
-        boost::transitive_reduction(graph, reduced, boost::make_iterator_property_map(map.begin(), get(boost::vertex_index, graph)),
+        boost::transitive_reduction(graph, reduced,
+                                    boost::make_iterator_property_map(map.begin(), get(boost::vertex_index, graph)),
                                     get(boost::vertex_index, graph));
     });
 }
@@ -168,9 +169,9 @@ void run(const Lists& lists, const std::string& planum) {
     const Measured graphviz = tred(below, scratch / "orders.dot", 60);
     const double boost = boost_reduction(below, 60);
     std::printf("| %s | %zu | %.2f s, %.0f MB%s | %.3f s, %.0f MB%s | %.4f s | %zu of %zu | %.2f s | %s%.2f s |\n",
-                lists.name.c_str(), lists.relations.size(), import.wall, import.peak_mb, import.status == 0 ? "" : " FAILED",
-                walls[1], check.peak_mb, check.status <= 1 ? "" : " FAILED", reduction, redundant, below.values.size(), boost,
-                graphviz.timed_out ? "> " : "", graphviz.wall);
+                lists.name.c_str(), lists.relations.size(), import.wall, import.peak_mb,
+                import.status == 0 ? "" : " FAILED", walls[1], check.peak_mb, check.status <= 1 ? "" : " FAILED",
+                reduction, redundant, below.values.size(), boost, graphviz.timed_out ? "> " : "", graphviz.wall);
     std::fflush(stdout);
 }
 
@@ -180,8 +181,9 @@ int main(int argc, char** argv) {
     const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
     const std::string planum = bench::program_folder() / "planum";
     std::printf("%s\n\n", bench::machine().c_str());
-    std::printf("| record | relations | planum import | planum check (median of 3) | reduction in process | redundant | "
-                "Boost transitive_reduction | tred |\n|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| record | relations | planum import | planum check (median of 3) | reduction in process | redundant | "
+        "Boost transitive_reduction | tred |\n|---|---|---|---|---|---|---|---|\n");
     for (const std::size_t units : {500U, 2000U, 5000U, 20000U}) {
         if (quick && units > 2000) break;
         for (const double rate : {1.2, 1.9, 5.0}) run(generated(units, rate), planum);

@@ -37,8 +37,7 @@ double peak_memory_mb() {
 }
 
 struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / fmt::format("planum-bench-{}", ::getpid());
+    std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("planum-bench-{}", ::getpid());
 
     Folder() { std::filesystem::create_directories(path); }
 
@@ -67,12 +66,11 @@ std::string text_points(std::size_t rows, std::size_t columns, bool with_colour)
             const double az = 6.28 * static_cast<double>(c) / static_cast<double>(columns);
             const double el = 1.5 * static_cast<double>(r) / static_cast<double>(rows) - 0.9;
             const double range = 8.0 + 1e-3 * static_cast<double>(random() % 4000);
-            fmt::format_to(std::back_inserter(out), "{:.6f} {:.6f} {:.6f} {:.6f}",
-                           range * std::cos(el) * std::cos(az), range * std::cos(el) * std::sin(az),
-                           range * std::sin(el), static_cast<double>(random() % 4096) / 4096.0);
+            fmt::format_to(std::back_inserter(out), "{:.6f} {:.6f} {:.6f} {:.6f}", range * std::cos(el) * std::cos(az),
+                           range * std::cos(el) * std::sin(az), range * std::sin(el),
+                           static_cast<double>(random() % 4096) / 4096.0);
             if (with_colour)
-                fmt::format_to(std::back_inserter(out), " {} {} {}", random() % 256, random() % 256,
-                               random() % 256);
+                fmt::format_to(std::back_inserter(out), " {} {} {}", random() % 256, random() % 256, random() % 256);
             out.push_back('\n');
         }
     }
@@ -83,8 +81,7 @@ std::string binary_points(const std::string& header, std::size_t count) {
     std::mt19937 random(1);
     std::string out = header;
     for (std::size_t i = 0; i < count; ++i) {
-        for (int k = 0; k < 3; ++k)
-            test::put_value(out, static_cast<float>(random() % 100000) / 1000.0F);
+        for (int k = 0; k < 3; ++k) test::put_value(out, static_cast<float>(random() % 100000) / 1000.0F);
         test::put_value(out, static_cast<float>(random() % 4096) / 4096.0F);
     }
     return out;
@@ -100,17 +97,16 @@ void measure(const std::string& name, const std::filesystem::path& file) {
         std::unique_ptr<ScanReader> reader;
         open = std::min(open, seconds_of([&] { reader = open_scan(file, {}, Progress::none()); }));
         read = std::min(read, seconds_of([&] {
-                            points = reader
-                                         ->read(
-                                             0, [&](const PointBlock& block) { sum += block.x[0]; }, {},
-                                             Progress::none())
-                                         .records;
+                            points =
+                                reader
+                                    ->read(
+                                        0, [&](const PointBlock& block) { sum += block.x[0]; }, {}, Progress::none())
+                                    .records;
                         }));
     }
     fmt::print("{:<22} {:>8.1f} MB {:>9} points  open {:>6.3f} s  read {:>6.3f} s  {:>7.0f} MB/s {:>6.1f} M "
                "points/s\n",
-               name, megabytes, points, open, read, megabytes / read,
-               static_cast<double>(points) / read / 1e6);
+               name, megabytes, points, open, read, megabytes / read, static_cast<double>(points) / read / 1e6);
     if (sum == 12345.0) fmt::print(" ");
 }
 
@@ -127,18 +123,18 @@ void bench_formats(const Folder& folder) {
     write(folder.path / "plain.3d", plain);
     write(folder.path / "five.e57", test::sample_e57(5000000));
     write(folder.path / "colour.las", test::sample_las({3, 2, kPoints, false}));
-    const std::string ply = fmt::format(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
-        "property float z\nproperty float intensity\nend_header\n",
-        kPoints);
+    const std::string ply =
+        fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
+                    "property float z\nproperty float intensity\nend_header\n",
+                    kPoints);
     write(folder.path / "binary.ply", binary_points(ply, kPoints));
-    const std::string pcd = fmt::format(
-        "VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH {}\n"
-        "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA binary\n",
-        kPoints, kPoints);
+    const std::string pcd =
+        fmt::format("VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH {}\n"
+                    "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA binary\n",
+                    kPoints, kPoints);
     write(folder.path / "binary.pcd", binary_points(pcd, kPoints));
-    for (const char* name : {"plain.ptx", "colour.ptx", "colour.pts", "plain.xyz", "plain.3d", "five.e57",
-                             "colour.las", "binary.ply", "binary.pcd"}) {
+    for (const char* name : {"plain.ptx", "colour.ptx", "colour.pts", "plain.xyz", "plain.3d", "five.e57", "colour.las",
+                             "binary.ply", "binary.pcd"}) {
         measure(name, folder.path / name);
     }
 }
@@ -152,11 +148,10 @@ void bench_build(const Folder& folder) {
     const double time =
         seconds_of([&] { summary = test::store_cloud(cloud, folder.path / "store.pts", {2ULL << 30U}); });
     const auto points = static_cast<double>(summary.points);
-    fmt::print(
-        "store build from memory: {:.0f} points, {:.2f} s: {:.1f} M points/s; {:.3f} bytes a point for "
-        "coordinates, {:.3f} in all, {} nodes\n",
-        points, time, points / time / 1e6, static_cast<double>(summary.coordinate_bytes) / points,
-        static_cast<double>(summary.file_bytes) / points, summary.nodes);
+    fmt::print("store build from memory: {:.0f} points, {:.2f} s: {:.1f} M points/s; {:.3f} bytes a point for "
+               "coordinates, {:.3f} in all, {} nodes\n",
+               points, time, points / time / 1e6, static_cast<double>(summary.coordinate_bytes) / points,
+               static_cast<double>(summary.file_bytes) / points, summary.nodes);
 }
 
 void bench_queries(const Folder& folder) {
@@ -203,8 +198,8 @@ void bench_panorama(const Folder& folder) {
         {}, Progress::none());
     for (const ProjectionKind kind :
          {ProjectionKind::Equirectangular, ProjectionKind::Cylindrical, ProjectionKind::Mercator,
-          ProjectionKind::Miller, ProjectionKind::EqualArea, ProjectionKind::Rectilinear,
-          ProjectionKind::Pannini, ProjectionKind::Stereographic}) {
+          ProjectionKind::Miller, ProjectionKind::EqualArea, ProjectionKind::Rectilinear, ProjectionKind::Pannini,
+          ProjectionKind::Stereographic}) {
         PanoramaOptions options;
         options.projection.kind = kind;
         options.close_gap = 0;
@@ -234,8 +229,8 @@ void bench_import(const Folder& folder, std::size_t columns) {
     StoreSummary summary;
     const double time = seconds_of([&] {
         const auto reader = open_scan(folder.path / "large.ptx", {}, Progress::none());
-        summary = build_store(*reader, 0, folder.path / "large.pts",
-                              store_info(reader->clouds()[0], "large", "", 0), {}, Progress::none());
+        summary = build_store(*reader, 0, folder.path / "large.pts", store_info(reader->clouds()[0], "large", "", 0),
+                              {}, Progress::none());
     });
     fmt::print("import of a PTX with {} points: {:.2f} s, {:.1f} M points/s\n", summary.points, time,
                static_cast<double>(summary.points) / time / 1e6);

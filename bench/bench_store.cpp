@@ -20,7 +20,9 @@ using Seconds = std::chrono::duration<double>;
 double processor_seconds() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -99,8 +101,8 @@ int run(const Size& size) {
         const store::ProjectFile project = store::ProjectFile::open(file, store::OpenMode::ReadOnly, environment);
         fmt::print("open         {}\n", watch.read());
         const model::Record record = project.load();
-        fmt::print("open + load  {}  {} units, {} relations, {} statements\n", watch.read(),
-                   record.units.size(), record.relations.size(), record.statements.size());
+        fmt::print("open + load  {}  {} units, {} relations, {} statements\n", watch.read(), record.units.size(),
+                   record.relations.size(), record.statements.size());
     }
     store::ProjectFile project = store::ProjectFile::open(file, store::OpenMode::ReadWrite, environment);
     const Watch undo;

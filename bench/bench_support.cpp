@@ -16,9 +16,7 @@ namespace planum::bench {
 
 namespace {
 
-double seconds(const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-}
+double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
 
 [[noreturn]] void become(const std::vector<std::string>& command) {
     const int nothing = ::open("/dev/null", O_RDWR);
@@ -77,9 +75,7 @@ Scratch::~Scratch() {
     std::filesystem::remove_all(path_, ignored);
 }
 
-std::filesystem::path program_folder() {
-    return std::filesystem::read_symlink("/proc/self/exe").parent_path();
-}
+std::filesystem::path program_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
 std::string machine() {
     std::ifstream info("/proc/cpuinfo");

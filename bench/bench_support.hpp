@@ -11,9 +11,9 @@ namespace planum::bench {
 
 /// Wall time, processor time and largest memory of one run.
 struct Measured {
-    double wall = 0.0;     ///< [s]
-    double cpu = 0.0;      ///< [s]
-    double peak_mb = 0.0;  ///< [MB] of the process (children) or 0 (in process)
+    double wall = 0.0;    ///< [s]
+    double cpu = 0.0;     ///< [s]
+    double peak_mb = 0.0; ///< [MB] of the process (children) or 0 (in process)
     int status = 0;
     bool timed_out = false;
 };
@@ -31,6 +31,7 @@ class Scratch {
     ~Scratch();
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
+
     [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
   private:

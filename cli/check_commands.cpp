@@ -47,7 +47,8 @@ ordered_json to_json(const app::DailyCheck& check, const model::RecordIndex& ind
     return json;
 }
 
-void print_problem(const Context& context, const model::Diagnostic& problem, const model::RecordIndex& index, bool is_new) {
+void print_problem(const Context& context, const model::Diagnostic& problem, const model::RecordIndex& index,
+                   bool is_new) {
     *context.out << fmt::format("  {} {}{}\n", problem.id, is_new ? "new: " : "", problem.message);
     constexpr std::size_t kSuspects = 5;
     for (std::size_t i = 0; i < problem.suspects.size() && i < kSuspects; ++i) {
@@ -56,12 +57,14 @@ void print_problem(const Context& context, const model::Diagnostic& problem, con
         for (const std::string& reason : suspect.reasons) *context.out << "         - " << reason << '\n';
     }
     if (problem.suspects.size() > kSuspects) {
-        *context.out << fmt::format("      … and {} more suspects; --json shows all\n", problem.suspects.size() - kSuspects);
+        *context.out << fmt::format("      … and {} more suspects; --json shows all\n",
+                                    problem.suspects.size() - kSuspects);
     }
 }
 
 // Grouped by cause, errors first; the checks come in that order already.
-void print_problems(const Context& context, const app::DailyCheck& check, const model::RecordIndex& index, std::size_t most) {
+void print_problems(const Context& context, const app::DailyCheck& check, const model::RecordIndex& index,
+                    std::size_t most) {
     std::map<std::string, std::size_t> total;
     for (const model::Diagnostic& problem : check.problems) ++total[problem.code];
     std::vector<std::string> order;
@@ -84,8 +87,9 @@ void print_problems(const Context& context, const app::DailyCheck& check, const 
 }
 
 void print_coverage(const Context& context, const model::Coverage& coverage) {
-    *context.out << fmt::format("of {} relations that state an order: {} confirmed by measured heights, {} contradicted\n",
-                                coverage.relations, coverage.confirmed, coverage.contradicted);
+    *context.out << fmt::format(
+        "of {} relations that state an order: {} confirmed by measured heights, {} contradicted\n", coverage.relations,
+        coverage.confirmed, coverage.contradicted);
     for (const auto& [reason, count] : coverage.untestable) {
         *context.out << fmt::format("  {} could not be judged: {}\n", count, reason);
     }
@@ -104,9 +108,9 @@ void run_check(Context& context, const Options& options) {
     if (check.count(model::Severity::Error) > 0) context.status = 1;
     if (context.json) return context.print(to_json(check, project.index()));
     print_problems(context, check, project.index(), options.most);
-    *context.out << fmt::format("{} errors, {} warnings, {} remarks; {} accepted\n", check.count(model::Severity::Error),
-                                check.count(model::Severity::Warning), check.count(model::Severity::Info),
-                                check.accepted.size());
+    *context.out << fmt::format("{} errors, {} warnings, {} remarks; {} accepted\n",
+                                check.count(model::Severity::Error), check.count(model::Severity::Warning),
+                                check.count(model::Severity::Info), check.accepted.size());
     if (!check.signed_off_at.empty()) {
         *context.out << fmt::format("last signed off {} by {}\n", check.signed_off_at, check.signed_off_by);
     }
@@ -126,7 +130,8 @@ void run_today(const Context& context) {
         for (const auto& sheet : today.incomplete_sheets) {
             sheets.push_back({{"unit", sheet.unit}, {"missing", sheet.missing}});
         }
-        return context.print({{"open", today.open}, {"may_be_dug_next", today.may_be_dug_next}, {"incomplete_sheets", sheets}});
+        return context.print(
+            {{"open", today.open}, {"may_be_dug_next", today.may_be_dug_next}, {"incomplete_sheets", sheets}});
     }
     print_list(context, "open units", today.open);
     print_list(context, "may be dug next: nothing recorded above them is still there", today.may_be_dug_next);

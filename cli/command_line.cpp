@@ -49,7 +49,8 @@ void refuse_unknown_command(const CLI::App& root, const std::vector<std::string>
         if (command->get_name() == arguments.front()) return;
         names.push_back(command->get_name());
     }
-    throw Error(ErrorCode::Usage, fmt::format("there is no command {}; there are {}", arguments.front(), text::join(names, ", ")));
+    throw Error(ErrorCode::Usage,
+                fmt::format("there is no command {}; there are {}", arguments.front(), text::join(names, ", ")));
 }
 
 int report(const Error& e, std::ostream& err) {

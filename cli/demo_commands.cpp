@@ -33,11 +33,21 @@ app::demo::SimulationOptions simulation(const Options& options) {
 void print_json(const Context& context, const app::DemoJob& job, const Options& options) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& file : job.drawings) files.push_back(file.string());
-    context.print({{"folder", options.folder}, {"seed", options.seed}, {"size", options.size}, {"method", options.method},
-                   {"project", job.project.string()}, {"units", job.units}, {"scans", job.scans}, {"points", job.points},
-                   {"errors", job.errors}, {"warnings", job.warnings}, {"project_with_mistakes", job.mistaken_project.string()},
-                   {"mistakes", job.mistakes}, {"errors_with_mistakes", job.errors_mistaken},
-                   {"warnings_with_mistakes", job.warnings_mistaken}, {"drawings", files}});
+    context.print({{"folder", options.folder},
+                   {"seed", options.seed},
+                   {"size", options.size},
+                   {"method", options.method},
+                   {"project", job.project.string()},
+                   {"units", job.units},
+                   {"scans", job.scans},
+                   {"points", job.points},
+                   {"errors", job.errors},
+                   {"warnings", job.warnings},
+                   {"project_with_mistakes", job.mistaken_project.string()},
+                   {"mistakes", job.mistakes},
+                   {"errors_with_mistakes", job.errors_mistaken},
+                   {"warnings_with_mistakes", job.warnings_mistaken},
+                   {"drawings", files}});
 }
 
 void run_demo(const Context& context, const Options& options) {
@@ -46,8 +56,8 @@ void run_demo(const Context& context, const Options& options) {
         app::run_demo_job(options.folder, simulation(options), context.session(), measure, *context.progress);
     if (context.json) return print_json(context, job, options);
     std::ostream& out = *context.out;
-    out << fmt::format("a simulated dig in {}: {} units, {} scans with {} points, dug in the {} way\n", options.folder, job.units,
-                       job.scans, job.points, options.method);
+    out << fmt::format("a simulated dig in {}: {} units, {} scans with {} points, dug in the {} way\n", options.folder,
+                       job.units, job.scans, job.points, options.method);
     out << fmt::format("  record/         its sheets; check says {} errors, {} warnings\n", job.errors, job.warnings);
     out << fmt::format("  with-mistakes/  a copy with {} mistakes; check says {} errors, {} warnings\n", job.mistakes,
                        job.errors_mistaken, job.warnings_mistaken);
@@ -56,15 +66,16 @@ void run_demo(const Context& context, const Options& options) {
            "  truth.json      what is true: poses, order, contacts, volumes, mistakes\n\n";
     out << "look at these next:\n";
     for (const auto& file : job.drawings) out << "  " << file.string() << '\n';
-    out << fmt::format("  planum check {}\n  planum today {}\n  planum info {}\n", job.mistaken_project.string(), job.project.string(),
-                       job.project.string());
+    out << fmt::format("  planum check {}\n  planum today {}\n  planum info {}\n", job.mistaken_project.string(),
+                       job.project.string(), job.project.string());
 }
 
 } // namespace
 
 void add_demo_commands(CLI::App& root, Context& context) {
     auto options = std::make_shared<Options>();
-    CLI::App* demo = add_command(root, context, "demo", "simulate a dig in a new folder and run the whole job on it", false);
+    CLI::App* demo =
+        add_command(root, context, "demo", "simulate a dig in a new folder and run the whole job on it", false);
     demo->add_option("DIR", options->folder, "folder to make")->required();
     demo->add_option("--seed", options->seed, "the same seed gives the same dig")->capture_default_str();
     demo->add_option("--size", options->size, "small (12 units, seconds), medium (40) or large (300, gigabytes)")

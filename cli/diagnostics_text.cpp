@@ -41,6 +41,7 @@ struct SuspectWords {
     }
 
     std::string operator()(const model::SuspectRelation& s) const { return sentence(s.relation); }
+
     std::string operator()(const model::SuspectSameAs& s) const { return sentence(s.same_as); }
 
     std::string operator()(const model::SuspectNumber& s) const {
@@ -82,8 +83,10 @@ ordered_json to_json(const model::Diagnostic& diagnostic, const model::RecordInd
 ordered_json to_json(const model::Coverage& coverage) {
     ordered_json untestable = ordered_json::object();
     for (const auto& [reason, count] : coverage.untestable) untestable[reason] = count;
-    return {{"relations", coverage.relations}, {"confirmed", coverage.confirmed},
-            {"contradicted", coverage.contradicted}, {"untestable", untestable}};
+    return {{"relations", coverage.relations},
+            {"confirmed", coverage.confirmed},
+            {"contradicted", coverage.contradicted},
+            {"untestable", untestable}};
 }
 
 std::string describe(const model::Suspect& suspect, const model::RecordIndex& index) {

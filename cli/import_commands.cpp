@@ -29,21 +29,23 @@ ordered_json to_json(const app::ImportReport& report) {
         json["readings"].push_back(
             {{"format", reading.format}, {"title", reading.title}, {"files", reading.files}, {"note", reading.note}});
     }
-    json["new"] = {{"units", report.new_units}, {"mentioned_units", report.mentioned_units},
-                   {"relations", report.new_relations}, {"statements", report.new_statements},
+    json["new"] = {{"units", report.new_units},
+                   {"mentioned_units", report.mentioned_units},
+                   {"relations", report.new_relations},
+                   {"statements", report.new_statements},
                    {"others", report.new_others}};
     json["filled_units"] = report.filled_units;
     json["changed"] = report.changed;
     json["conflicts"] = ordered_json::array();
     for (const auto& c : report.conflicts) {
-        json["conflicts"].push_back({{"what", c.what}, {"field", c.field}, {"kept", c.kept},
-                                     {"offered", c.offered}, {"replaced", c.replaced}});
+        json["conflicts"].push_back(
+            {{"what", c.what}, {"field", c.field}, {"kept", c.kept}, {"offered", c.offered}, {"replaced", c.replaced}});
     }
     json["warnings"] = report.warnings;
     json["notes"] = ordered_json::array();
     for (const auto& n : report.notes) {
-        json["notes"].push_back({{"file", n.file}, {"line", n.line}, {"code", n.code}, {"raw", n.raw_text},
-                                 {"message", n.message}});
+        json["notes"].push_back(
+            {{"file", n.file}, {"line", n.line}, {"code", n.code}, {"raw", n.raw_text}, {"message", n.message}});
     }
     return json;
 }
@@ -68,14 +70,15 @@ void print_text(const Context& context, const app::ImportReport& report, bool dr
         *context.out << fmt::format("read {} as {}\n", text::join(reading.files, ", "), reading.title);
         if (!reading.note.empty()) *context.out << "  " << reading.note << '\n';
     }
-    *context.out << fmt::format("{}: {} units ({} only mentioned), {} relations, {} statements, {} others; {} units filled\n",
-                                dry_run ? "would be new" : "new", report.new_units, report.mentioned_units,
-                                report.new_relations, report.new_statements, report.new_others, report.filled_units);
+    *context.out << fmt::format(
+        "{}: {} units ({} only mentioned), {} relations, {} statements, {} others; {} units filled\n",
+        dry_run ? "would be new" : "new", report.new_units, report.mentioned_units, report.new_relations,
+        report.new_statements, report.new_others, report.filled_units);
     if (!report.changed) *context.out << "nothing new: the project is as it was\n";
     for (const std::string& warning : report.warnings) *context.out << "warning: " << warning << '\n';
     for (const auto& c : report.conflicts) {
-        *context.out << fmt::format("{}, {}: {} {} (file: {})\n", c.what, c.field, c.replaced ? "replaced" : "kept", c.kept,
-                                    c.offered);
+        *context.out << fmt::format("{}, {}: {} {} (file: {})\n", c.what, c.field, c.replaced ? "replaced" : "kept",
+                                    c.kept, c.offered);
     }
     if (!report.notes.empty()) {
         *context.out << fmt::format("not understood or mended, {}:\n", report.notes.size());
@@ -98,7 +101,8 @@ void run_import(const Context& context, Options& options) {
 void add_import_commands(CLI::App& root, Context& context) {
     auto options = std::make_shared<Options>();
     CLI::App* command = add_command(root, context, "import", "read records of units and relations and merge them");
-    command->add_option("FILE", options->files, "files of one or several formats, or folders; in any order")->required();
+    command->add_option("FILE", options->files, "files of one or several formats, or folders; in any order")
+        ->required();
     command->add_option("--format", options->import.format, "read all files as this format (default: by content)");
     command->add_option("--numbers", options->numbers, "unit numbers are unique per site or per area")
         ->check(CLI::IsMember({"site", "area"}));

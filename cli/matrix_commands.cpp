@@ -84,10 +84,12 @@ void run_draw(const Context& context, const Options& options) {
     if (ending == ".svg") bytes = strat::write_svg(drawing);
     if (ending == ".png") bytes = paint::render_png(drawing, {.dpi = options.dpi});
     if (ending == ".pdf") {
-        bytes = paint::render_pdf(drawing, pdf_options(project, options, project.record().settings.name), *context.progress);
+        bytes = paint::render_pdf(drawing, pdf_options(project, options, project.record().settings.name),
+                                  *context.progress);
     }
     write_file_atomically(options.output, bytes);
-    context.say(fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));
+    context.say(
+        fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));
 }
 
 } // namespace
@@ -95,10 +97,12 @@ void run_draw(const Context& context, const Options& options) {
 void add_matrix_commands(CLI::App& root, Context& context) {
     auto options = std::make_shared<Options>();
     CLI::App* matrix = add_command(root, context, "matrix", "draw the Harris matrix, write it as a file, or count it");
-    CLI::Option* output = matrix->add_option("-o,--output", options->output,
-                                             "file to write: .svg .pdf .png are drawings; .dot .graphml .lst .hmcx .csv "
-                                             ".json are for other programs");
-    matrix->add_option("--format", options->format, "format of the file, where its ending does not say (hmc-csv, hm, …)");
+    CLI::Option* output =
+        matrix->add_option("-o,--output", options->output,
+                           "file to write: .svg .pdf .png are drawings; .dot .graphml .lst .hmcx .csv "
+                           ".json are for other programs");
+    matrix->add_option("--format", options->format,
+                       "format of the file, where its ending does not say (hmc-csv, hm, …)");
     matrix->add_flag("--stats", options->stats, "print counts instead")->excludes(output);
     matrix->add_option("--engine", options->draw.engine, "layout engine");
     matrix->add_option("--interpretation", options->draw.interpretation, "this reading instead of the field record");
@@ -115,7 +119,9 @@ void add_matrix_commands(CLI::App& root, Context& context) {
     matrix->add_option("--paging", options->paging, "PDF: shrink to one page, or a poster of many sheets")
         ->capture_default_str()
         ->check(CLI::IsMember({"page", "poster"}));
-    matrix->add_option("--dpi", options->dpi, "PNG: pixels per inch")->capture_default_str()->check(CLI::Range(20.0, 1200.0));
+    matrix->add_option("--dpi", options->dpi, "PNG: pixels per inch")
+        ->capture_default_str()
+        ->check(CLI::Range(20.0, 1200.0));
     matrix->callback([&context, options] {
         if (options->stats) return run_stats(context, *options);
         if (options->output.empty()) throw Error(ErrorCode::Usage, "matrix: say -o FILE or --stats");

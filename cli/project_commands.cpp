@@ -126,8 +126,11 @@ void run_backup(const Context& context, const std::string& target) {
 }
 
 ordered_json change_json(const store::ChangeEntry& entry) {
-    return {{"number", entry.number}, {"label", entry.label}, {"author", entry.author},
-            {"made_at", entry.made_at}, {"undone", entry.undone}};
+    return {{"number", entry.number},
+            {"label", entry.label},
+            {"author", entry.author},
+            {"made_at", entry.made_at},
+            {"undone", entry.undone}};
 }
 
 void run_undo(const Context& context, bool redo) {
@@ -148,19 +151,24 @@ void run_history(const Context& context, const HistoryOptions& options) {
     if (!options.unit.empty()) {
         const Uuid unit = project.record().units[project.unit_named(options.unit)].id.value;
         for (const auto& entry : project.file().log(unit, options.most)) {
-            changes.push_back({{"made_at", entry.made_at}, {"author", entry.author}, {"action", entry.action},
-                               {"field", entry.field}, {"old", entry.old_value}, {"new", entry.new_value}});
+            changes.push_back({{"made_at", entry.made_at},
+                               {"author", entry.author},
+                               {"action", entry.action},
+                               {"field", entry.field},
+                               {"old", entry.old_value},
+                               {"new", entry.new_value}});
             if (!context.json) {
-                *context.out << fmt::format("{}  {:<12} {:<7} {}{}\n", entry.made_at, entry.author, entry.action, entry.field,
-                                            entry.field.empty() ? "" : fmt::format(": {} → {}", entry.old_value, entry.new_value));
+                *context.out << fmt::format(
+                    "{}  {:<12} {:<7} {}{}\n", entry.made_at, entry.author, entry.action, entry.field,
+                    entry.field.empty() ? "" : fmt::format(": {} → {}", entry.old_value, entry.new_value));
             }
         }
     } else {
         for (const auto& entry : project.file().history(options.most)) {
             changes.push_back(change_json(entry));
             if (!context.json) {
-                *context.out << fmt::format("{:>5}  {}  {:<12} {}{}\n", entry.number, entry.made_at, entry.author, entry.label,
-                                            entry.undone ? "  (undone)" : "");
+                *context.out << fmt::format("{:>5}  {}  {:<12} {}{}\n", entry.number, entry.made_at, entry.author,
+                                            entry.label, entry.undone ? "  (undone)" : "");
             }
         }
     }
@@ -183,7 +191,9 @@ void add_project_commands(CLI::App& root, Context& context) {
     backup->add_option("TARGET", *target, "file or folder (default: beside the project, with the time)");
     backup->callback([&context, target] { run_backup(context, *target); });
 
-    add_command(root, context, "undo", "take the newest change back")->callback([&context] { run_undo(context, false); });
+    add_command(root, context, "undo", "take the newest change back")->callback([&context] {
+        run_undo(context, false);
+    });
     add_command(root, context, "redo", "make it again")->callback([&context] { run_undo(context, true); });
 
     auto options = std::make_shared<HistoryOptions>();

@@ -96,7 +96,8 @@ void run_show(const Context& context, const RecordKind& kind, const std::string&
         if (relation.subject == unit) {
             *context.out << fmt::format("{:<20} {}\n", phrase(relation.kind), project.index().name(relation.object));
         } else if (relation.object == unit) {
-            *context.out << fmt::format("{:<20} {}\n", inverse_phrase(relation.kind), project.index().name(relation.subject));
+            *context.out << fmt::format("{:<20} {}\n", inverse_phrase(relation.kind),
+                                        project.index().name(relation.subject));
         }
     }
 }

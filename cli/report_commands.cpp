@@ -46,14 +46,14 @@ void write_export(const Context& context, app::Project& project, const std::file
 void add_report_commands(CLI::App& root, Context& context) {
     auto report = std::make_shared<Options>();
     CLI::App* command = add_command(root, context, "report", "the record, its problems and decisions, for the archive");
-    command->add_option("-o,--output", report->output, "file to write: .xml (schema planum-report-1) or .html")->required();
+    command->add_option("-o,--output", report->output, "file to write: .xml (schema planum-report-1) or .html")
+        ->required();
     command->add_option("--interpretation", report->interpretation, "this reading instead of the field record");
     command->callback([&context, report] { run_report(context, *report); });
 
     auto data = std::make_shared<Options>();
     CLI::App* export_command = add_command(root, context, "export", "the record for other programs");
-    export_command
-        ->add_option("-o,--output", data->output, "file to write: .csv .json .lst .hmcx .graphml .dot")
+    export_command->add_option("-o,--output", data->output, "file to write: .csv .json .lst .hmcx .graphml .dot")
         ->required();
     export_command->add_option("--format", data->format, "format, where the ending does not say (hmc-csv, hm, …)");
     export_command->add_option("--interpretation", data->interpretation, "this reading instead of the field record");

@@ -16,9 +16,7 @@ using namespace std::chrono_literals;
 TerminalProgress::TerminalProgress(std::ostream& err, bool visible, std::stop_token token)
     : Progress(std::move(token)), err_(err), visible_(visible) {}
 
-TerminalProgress::~TerminalProgress() {
-    wipe();
-}
+TerminalProgress::~TerminalProgress() { wipe(); }
 
 void TerminalProgress::step(std::string_view name) {
     name_ = name;

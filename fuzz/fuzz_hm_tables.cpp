@@ -29,8 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         if (file >= files.size()) __builtin_trap();
     }
     std::vector<const planum::strat::InputFile*> pointers;
-    for (const planum::strat::InputFile& file : files)
-        pointers.push_back(&file);
+    for (const planum::strat::InputFile& file : files) pointers.push_back(&file);
     try {
         (void)reader.read(pointers, {}, planum::Progress::none());
     } catch (const planum::Error&) {

@@ -18,9 +18,7 @@ using namespace planum::scans;
 
 namespace {
 
-bool lies_within(std::uint64_t at, std::uint64_t count, std::size_t size) {
-    return at <= size && count <= size - at;
-}
+bool lies_within(std::uint64_t at, std::uint64_t count, std::size_t size) { return at <= size && count <= size - at; }
 
 void mend_checksums(std::string& bytes) {
     StoreHeaderRecord header;
@@ -42,12 +40,10 @@ void mend_checksums(std::string& bytes) {
             std::memcpy(at, &node, sizeof node);
         }
         header.points = points;
-        header.nodes_checksum =
-            crc32c({bytes.data() + header.nodes_at, static_cast<std::size_t>(node_bytes)});
+        header.nodes_checksum = crc32c({bytes.data() + header.nodes_at, static_cast<std::size_t>(node_bytes)});
     }
     if (lies_within(header.text_at, header.text_bytes, bytes.size())) {
-        header.text_checksum =
-            crc32c({bytes.data() + header.text_at, static_cast<std::size_t>(header.text_bytes)});
+        header.text_checksum = crc32c({bytes.data() + header.text_at, static_cast<std::size_t>(header.text_bytes)});
     }
     const char* raw = reinterpret_cast<const char*>(&header);
     header.header_checksum = crc32c({raw, offsetof(StoreHeaderRecord, header_checksum)});
@@ -56,9 +52,7 @@ void mend_checksums(std::string& bytes) {
 
 void use(const std::string& bytes) {
     const int descriptor = ::memfd_create("store", 0);
-    if (descriptor < 0 ||
-        ::write(descriptor, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
-        return;
+    if (descriptor < 0 || ::write(descriptor, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) return;
     try {
         const PointStore store = PointStore::open(fmt::format("/proc/self/fd/{}", descriptor));
         const FoundSink nowhere = [](const FoundPoints&) {};

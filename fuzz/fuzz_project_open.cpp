@@ -39,7 +39,7 @@ void write_input(const std::filesystem::path& file, const std::uint8_t* data, st
     ::close(handle);
 }
 
-template <class Work>
+template<class Work>
 void expect_error_at_most(Work work) {
     try {
         work();

@@ -12,16 +12,13 @@ constexpr std::size_t kPayload = 1020;
 std::string with_checksums(std::string logical) {
     logical.resize((logical.size() + kPayload - 1) / kPayload * kPayload, '\0');
     const std::uint64_t length = logical.size() / kPayload * (kPayload + 4);
-    for (std::size_t i = 0; i < 8; ++i)
-        logical[16 + i] = static_cast<char>(length >> (8 * i));
-    for (std::size_t i = 0; i < 8; ++i)
-        logical[40 + i] = static_cast<char>(i == 1 ? 4 : 0); // 1024
+    for (std::size_t i = 0; i < 8; ++i) logical[16 + i] = static_cast<char>(length >> (8 * i));
+    for (std::size_t i = 0; i < 8; ++i) logical[40 + i] = static_cast<char>(i == 1 ? 4 : 0); // 1024
     std::string file;
     for (std::size_t at = 0; at < logical.size(); at += kPayload) {
         file.append(logical, at, kPayload);
         const std::uint32_t crc = planum::scans::crc32c({logical.data() + at, kPayload});
-        for (int shift = 24; shift >= 0; shift -= 8)
-            file.push_back(static_cast<char>(crc >> shift));
+        for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<char>(crc >> shift));
     }
     return file;
 }

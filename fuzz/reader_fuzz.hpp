@@ -14,8 +14,7 @@ namespace planum::fuzz {
 
 /// Gives the bytes to one reader: recognising must never throw, reading nothing but Error. The byte 0x1E
 /// parts the input into several files, so that companion files are tried too.
-inline int try_reader(const strat::Reader& reader, const std::uint8_t* data, std::size_t size,
-                      std::string_view name) {
+inline int try_reader(const strat::Reader& reader, const std::uint8_t* data, std::size_t size, std::string_view name) {
     constexpr char kNextFile = '\x1E';
     std::string_view rest(reinterpret_cast<const char*>(data), size); // bytes are bytes
     std::vector<strat::InputFile> files;

@@ -15,8 +15,8 @@ namespace planum::fuzz {
 inline void read_everything(std::string bytes, scans::ScanFormat format,
                             std::optional<std::string> companion = std::nullopt) {
     try {
-        const auto reader = scans::open_scan(scans::memory_source(std::move(bytes)), format, {},
-                                             Progress::none(), std::move(companion));
+        const auto reader = scans::open_scan(scans::memory_source(std::move(bytes)), format, {}, Progress::none(),
+                                             std::move(companion));
         scans::ReadOptions options;
         options.misses = scans::Misses::Keep;
         options.block_points = 256;
@@ -29,8 +29,7 @@ inline void read_everything(std::string bytes, scans::ScanFormat format,
             };
             reader->read(i, check, options, Progress::none());
         }
-        for (std::size_t i = 0; i < reader->info().images.size(); ++i)
-            static_cast<void>(reader->read_image(i));
+        for (std::size_t i = 0; i < reader->info().images.size(); ++i) static_cast<void>(reader->read_image(i));
     } catch (const Error&) {
         return;
     }

@@ -23,13 +23,9 @@ using namespace strat;
 
 namespace {
 
-QColor colour(Colour value) {
-    return QColor::fromRgb(value);
-}
+QColor colour(Colour value) { return QColor::fromRgb(value); }
 
-QPointF point(const DrawPoint& p) {
-    return {p.x, p.y};
-}
+QPointF point(const DrawPoint& p) { return {p.x, p.y}; }
 
 QPolygonF polygon(const std::vector<DrawPoint>& points) {
     QPolygonF q;
@@ -50,9 +46,7 @@ QPen pen_of(const StrokeStyle& stroke) {
     return pen;
 }
 
-QRectF rect(const DrawRect& r) {
-    return {r.x, r.y, r.width, r.height};
-}
+QRectF rect(const DrawRect& r) { return {r.x, r.y, r.width, r.height}; }
 
 void paint_shape(QPainter& painter, const DrawnBox& box) {
     const BoxOutline outline = outline_of(box);
@@ -108,9 +102,9 @@ void paint_lines(QPainter& painter, const MatrixDrawing& drawing, bool red) {
     for (const DrawnLine& line : drawing.lines) {
         const StrokeStyle style = style_of(line);
         if ((line.in_cycle || line.upwards) != red) continue;
-        const bool square = std::adjacent_find(line.points.begin(), line.points.end(), [](const auto& a, const auto& b) {
-                                return a.x != b.x && a.y != b.y;
-                            }) == line.points.end();
+        const bool square = std::adjacent_find(line.points.begin(), line.points.end(),
+                                               [](const auto& a, const auto& b) { return a.x != b.x && a.y != b.y; }) ==
+                            line.points.end();
         if (!square || style.dash != Dash::Solid) {
             paint_line(painter, line);
             continue;
@@ -133,8 +127,10 @@ void paint_lines(QPainter& painter, const MatrixDrawing& drawing, bool red) {
         painter.setPen(pen);
         QList<QLineF> lines;
         constexpr double kTouch = 0.05;
-        for (const AxisStroke& s : joined_strokes(std::move(strokes[0]), kTouch)) lines << QLineF(s.at, s.low, s.at, s.high);
-        for (const AxisStroke& s : joined_strokes(std::move(strokes[1]), kTouch)) lines << QLineF(s.low, s.at, s.high, s.at);
+        for (const AxisStroke& s : joined_strokes(std::move(strokes[0]), kTouch))
+            lines << QLineF(s.at, s.low, s.at, s.high);
+        for (const AxisStroke& s : joined_strokes(std::move(strokes[1]), kTouch))
+            lines << QLineF(s.low, s.at, s.high, s.at);
         painter.drawLines(lines);
     }
 }
@@ -155,8 +151,13 @@ void paint_ground(QPainter& painter, const MatrixDrawing& drawing) {
 
 void paint_words(QPainter& painter, const DrawnText& t) {
     const bool strong = t.role == "title" || t.role == "legend";
-    const PaintedText text{t.text, t.at, t.size, t.width, t.anchor,
-                           t.bold ? FontWeight::Bold : FontWeight::Regular, strong ? kInk : kFaintInk};
+    const PaintedText text{t.text,
+                           t.at,
+                           t.size,
+                           t.width,
+                           t.anchor,
+                           t.bold ? FontWeight::Bold : FontWeight::Regular,
+                           strong ? kInk : kFaintInk};
     if (!t.upright) {
         paint_text(painter, text);
         return;

@@ -35,7 +35,8 @@ class PdfMaker {
         index_ = poster_ ? sheet_index(drawing, plan_) : std::vector<SheetEntry>{};
         widest_entry_ = 60.0;
         for (const SheetEntry& e : index_) {
-            widest_entry_ = std::max(widest_entry_, measure_.width(e.unit + "  " + e.sheet, kIndexText, FontWeight::Regular) + 24.0);
+            widest_entry_ = std::max(widest_entry_,
+                                     measure_.width(e.unit + "  " + e.sheet, kIndexText, FontWeight::Regular) + 24.0);
         }
     }
 
@@ -47,8 +48,8 @@ class PdfMaker {
         writer.setResolution(kDotsPerInch);
         writer.setTitle(QString::fromStdString(drawing_.title));
         writer.setCreator(QStringLiteral("planum"));
-        writer.setPageSize(QPageSize(QSizeF(plan_.page_width, plan_.page_height), QPageSize::Point, QString(),
-                                     QPageSize::ExactMatch));
+        writer.setPageSize(
+            QPageSize(QSizeF(plan_.page_width, plan_.page_height), QPageSize::Point, QString(), QPageSize::ExactMatch));
         writer.setPageMargins(QMarginsF(0, 0, 0, 0));
         QPainter painter(&writer);
         if (!painter.isActive()) throw Error(ErrorCode::Internal, "the PDF could not be begun");
@@ -111,7 +112,9 @@ class PdfMaker {
             return true;
         });
         std::erase_if(d.junctions, [&](const DrawPoint& p) { return hidden({p.x, p.y, 0.0, 0.0}); });
-        std::erase_if(d.texts, [&](const DrawnText& t) { return hidden({t.at.x - t.width, t.at.y - t.size, 2.0 * t.width, 2.0 * t.size}); });
+        std::erase_if(d.texts, [&](const DrawnText& t) {
+            return hidden({t.at.x - t.width, t.at.y - t.size, 2.0 * t.width, 2.0 * t.size});
+        });
         return d;
     }
 
@@ -137,7 +140,9 @@ class PdfMaker {
         const auto say = [&](const std::string& words, DrawPoint at, TextAnchor anchor) {
             paint_text(painter, {words, at, 7.0, 0.0, anchor, FontWeight::Regular, kFaintInk});
         };
-        const auto name = [](std::size_t row, std::size_t column) { return row_letters(row) + fmt::format("{}", column + 1); };
+        const auto name = [](std::size_t row, std::size_t column) {
+            return row_letters(row) + fmt::format("{}", column + 1);
+        };
         const DrawPoint middle = c.centre();
         if (sheet.column > 0) say("◂ " + name(sheet.row, sheet.column - 1), {c.x - 24.0, middle.y}, TextAnchor::Start);
         if (sheet.column + 1 < plan_.columns) {
@@ -156,7 +161,8 @@ class PdfMaker {
         painter.setPen(QPen(QColor::fromRgb(kBandEdge), 0.6));
         painter.drawLine(QPointF(x0, y - kTitleBlock + 14.0), QPointF(x1, y - kTitleBlock + 14.0));
         std::string left = options_.site;
-        if (!drawing_.title.empty() && drawing_.title != options_.site) left += (left.empty() ? "" : " · ") + drawing_.title;
+        if (!drawing_.title.empty() && drawing_.title != options_.site)
+            left += (left.empty() ? "" : " · ") + drawing_.title;
         paint_text(painter, {left, {x0, y - 6.0}, 9.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
         std::string facts = options_.date;
         facts += fmt::format("{}scale {:.0f} %", facts.empty() ? "" : " · ", plan_.scale * 100.0);
@@ -183,12 +189,18 @@ class PdfMaker {
             const double top = sheet.row > 0 ? sheet.part.y + overlap / 2.0 : 0.0;
             const double right = sheet.column + 1 < plan_.columns ? sheet.part.right() - overlap / 2.0 : drawing_.width;
             const double bottom = sheet.row + 1 < plan_.rows ? sheet.part.bottom() - overlap / 2.0 : drawing_.height;
-            const QRectF tile(c.x + left * scale, c.y + 24.0 + top * scale, (right - left) * scale, (bottom - top) * scale);
+            const QRectF tile(c.x + left * scale, c.y + 24.0 + top * scale, (right - left) * scale,
+                              (bottom - top) * scale);
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(QColor::fromRgb(0x1f5fa8), 0.7));
             painter.drawRect(tile);
-            paint_text(painter, {sheet.name, {tile.center().x(), tile.center().y() + 5.0}, 14.0, 0.0, TextAnchor::Middle,
-                                 FontWeight::Bold, 0x1f5fa8});
+            paint_text(painter, {sheet.name,
+                                 {tile.center().x(), tile.center().y() + 5.0},
+                                 14.0,
+                                 0.0,
+                                 TextAnchor::Middle,
+                                 FontWeight::Bold,
+                                 0x1f5fa8});
         }
         paint_title_block(painter, "map of the sheets");
     }
@@ -211,15 +223,22 @@ class PdfMaker {
         const std::size_t per_page = index_columns() * index_rows();
         for (std::size_t first = 0; first < index_.size(); first += per_page) {
             next_page(writer);
-            paint_text(painter, {"Unit and sheet", {c.x, c.y + 12.0}, 13.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
+            paint_text(painter,
+                       {"Unit and sheet", {c.x, c.y + 12.0}, 13.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
             for (std::size_t i = first; i < std::min(index_.size(), first + per_page); ++i) {
                 const std::size_t column = (i - first) / index_rows();
                 const std::size_t row = (i - first) % index_rows();
                 const double x = c.x + static_cast<double>(column) * widest_entry_;
                 const double y = c.y + 30.0 + static_cast<double>(row) * kIndexLine;
-                paint_text(painter, {index_[i].unit, {x, y}, kIndexText, 0.0, TextAnchor::Start, FontWeight::Regular, kInk});
-                paint_text(painter, {index_[i].sheet, {x + widest_entry_ - 18.0, y}, kIndexText, 0.0, TextAnchor::End,
-                                     FontWeight::Bold, kInk});
+                paint_text(painter,
+                           {index_[i].unit, {x, y}, kIndexText, 0.0, TextAnchor::Start, FontWeight::Regular, kInk});
+                paint_text(painter, {index_[i].sheet,
+                                     {x + widest_entry_ - 18.0, y},
+                                     kIndexText,
+                                     0.0,
+                                     TextAnchor::End,
+                                     FontWeight::Bold,
+                                     kInk});
             }
             paint_title_block(painter, "index");
         }
@@ -235,7 +254,8 @@ class PdfMaker {
         constexpr std::string_view kKey = "/CreationDate (D:";
         for (std::size_t at = pdf.find(kKey); at != std::string::npos; at = pdf.find(kKey, at + 1)) {
             std::size_t i = at + kKey.size();
-            for (std::size_t k = 0; k < digits.size() && i + k < pdf.size() && pdf[i + k] != ')'; ++k) pdf[i + k] = digits[k];
+            for (std::size_t k = 0; k < digits.size() && i + k < pdf.size() && pdf[i + k] != ')'; ++k)
+                pdf[i + k] = digits[k];
         }
     }
 

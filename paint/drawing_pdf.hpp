@@ -18,6 +18,7 @@ struct PdfOptions {
 /// The drawing as PDF: vectors and text, fonts embedded, every page with a title block. A poster has crop
 /// marks, says on each edge which sheet continues, and ends with a map of its sheets and an index of which
 /// unit is on which. Throws as plan_poster does.
-[[nodiscard]] std::string render_pdf(const strat::MatrixDrawing& drawing, const PdfOptions& options, Progress& progress);
+[[nodiscard]] std::string render_pdf(const strat::MatrixDrawing& drawing, const PdfOptions& options,
+                                     Progress& progress);
 
 } // namespace planum::paint

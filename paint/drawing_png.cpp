@@ -26,13 +26,16 @@ std::string render_png(const strat::MatrixDrawing& drawing, const PngOptions& op
     const double pixels = width * height;
     if (!(width >= 1.0 && height >= 1.0)) throw Error(ErrorCode::BadInput, "the drawing has no size");
     if (pixels > static_cast<double>(options.max_pixels) || width > kMaxSide || height > kMaxSide) {
-        const double shrink = std::min({std::sqrt(static_cast<double>(options.max_pixels) / pixels), kMaxSide / width,
-                                        kMaxSide / height});
-        throw Error(ErrorCode::BadInput, fmt::format("a picture of {:.0f} × {:.0f} pixels is too large; use at most {:.0f} dpi, or SVG or PDF",
-                                                     width, height, std::floor(options.dpi * shrink)));
+        const double shrink = std::min(
+            {std::sqrt(static_cast<double>(options.max_pixels) / pixels), kMaxSide / width, kMaxSide / height});
+        throw Error(
+            ErrorCode::BadInput,
+            fmt::format("a picture of {:.0f} × {:.0f} pixels is too large; use at most {:.0f} dpi, or SVG or PDF",
+                        width, height, std::floor(options.dpi * shrink)));
     }
     QImage image(static_cast<int>(width), static_cast<int>(height), QImage::Format_RGB32);
-    if (image.isNull()) throw Error(ErrorCode::Io, fmt::format("no memory for a picture of {:.0f} × {:.0f} pixels", width, height));
+    if (image.isNull())
+        throw Error(ErrorCode::Io, fmt::format("no memory for a picture of {:.0f} × {:.0f} pixels", width, height));
     image.fill(Qt::white);
     QPainter painter(&image);
     painter.scale(scale, scale);

@@ -9,9 +9,7 @@
 
 namespace planum::paint {
 
-FontTextMeasure::FontTextMeasure() {
-    ensure_qt_runtime();
-}
+FontTextMeasure::FontTextMeasure() { ensure_qt_runtime(); }
 
 double FontTextMeasure::width(std::string_view utf8, double size, strat::FontWeight weight) const {
     // One metrics object a thread: making one asks the font database each time.

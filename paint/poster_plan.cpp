@@ -47,14 +47,17 @@ bool meets(const DrawRect& a, const DrawRect& b) {
 }
 
 bool inside(const DrawRect& inner, const DrawRect& outer) {
-    return inner.x >= outer.x && inner.right() <= outer.right() && inner.y >= outer.y && inner.bottom() <= outer.bottom();
+    return inner.x >= outer.x && inner.right() <= outer.right() && inner.y >= outer.y &&
+           inner.bottom() <= outer.bottom();
 }
 
 // Whether anything but paper is seen in a part of the drawing.
 bool shows_something(const strat::MatrixDrawing& drawing, const DrawRect& part) {
     const auto seen = [&](const DrawRect& r) { return meets(r, part); };
-    if (std::any_of(drawing.boxes.begin(), drawing.boxes.end(), [&](const auto& b) { return seen(b.rect); })) return true;
-    if (std::any_of(drawing.bands.begin(), drawing.bands.end(), [&](const auto& b) { return seen(b.rect); })) return true;
+    if (std::any_of(drawing.boxes.begin(), drawing.boxes.end(), [&](const auto& b) { return seen(b.rect); }))
+        return true;
+    if (std::any_of(drawing.bands.begin(), drawing.bands.end(), [&](const auto& b) { return seen(b.rect); }))
+        return true;
     for (const strat::DrawnText& t : drawing.texts) {
         if (seen({t.at.x, t.at.y - t.size, t.width, t.size * 1.3})) return true;
     }
@@ -99,8 +102,10 @@ PosterPlan plan_tiles(const strat::MatrixDrawing& drawing, const PosterOptions& 
     const double columns = count(drawing.width, width);
     const double rows = count(drawing.height, height);
     if (!(rows * columns <= static_cast<double>(kMostSheets))) {
-        throw Error(ErrorCode::BadInput, fmt::format("the poster would need {:.0f} sheets, more than {}; use larger paper or a smaller scale",
-                                                     rows * columns, kMostSheets));
+        throw Error(
+            ErrorCode::BadInput,
+            fmt::format("the poster would need {:.0f} sheets, more than {}; use larger paper or a smaller scale",
+                        rows * columns, kMostSheets));
     }
     plan.rows = static_cast<std::size_t>(rows);
     plan.columns = static_cast<std::size_t>(columns);
@@ -157,13 +162,13 @@ std::vector<SheetEntry> sheet_index(const strat::MatrixDrawing& drawing, const P
         const auto found = whole != plan.sheets.end() ? whole : some;
         if (found == plan.sheets.end() || box.lines.empty()) continue;
         // A merged box is looked up under each of its numbers.
-        for (const std::string& line : box.shape == strat::BoxShape::Folded ? std::vector{box.lines.front()} : box.names) {
+        for (const std::string& line :
+             box.shape == strat::BoxShape::Folded ? std::vector{box.lines.front()} : box.names) {
             entries.push_back({line, found->name});
         }
     }
-    std::stable_sort(entries.begin(), entries.end(), [](const SheetEntry& a, const SheetEntry& b) {
-        return text::natural_order(a.unit, b.unit) < 0;
-    });
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const SheetEntry& a, const SheetEntry& b) { return text::natural_order(a.unit, b.unit) < 0; });
     return entries;
 }
 

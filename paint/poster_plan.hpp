@@ -19,9 +19,10 @@ enum class Paging { OnePage, Poster };
 struct PosterOptions {
     Paper paper = Paper::A3;
     Paging paging = Paging::OnePage;
-    double scale = 1.0;    ///< of a poster
-    double overlap = 57.0; ///< [pt on paper] of neighbouring sheets: wider than a box, so that each box is whole somewhere
-    double margin = 28.0;  ///< [pt] that printers cannot use
+    double scale = 1.0; ///< of a poster
+    double overlap =
+        57.0; ///< [pt on paper] of neighbouring sheets: wider than a box, so that each box is whole somewhere
+    double margin = 28.0; ///< [pt] that printers cannot use
 };
 
 /// One sheet of paper with the part of the drawing it shows.
@@ -41,8 +42,8 @@ struct SheetEntry {
 struct PosterPlan {
     double page_width = 0.0; ///< [pt]
     double page_height = 0.0;
-    double scale = 1.0;         ///< paper points per drawing point
-    strat::DrawRect content;    ///< on the page [pt]: where the part is painted
+    double scale = 1.0;      ///< paper points per drawing point
+    strat::DrawRect content; ///< on the page [pt]: where the part is painted
     std::size_t rows = 0;
     std::size_t columns = 0;
     std::vector<Sheet> sheets; ///< row by row; sheets that would be empty are left out

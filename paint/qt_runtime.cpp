@@ -18,7 +18,8 @@ void ensure_qt_runtime() {
         static std::array<char, 7> name = {'p', 'l', 'a', 'n', 'u', 'm', '\0'};
         static std::array<char*, 2> argv = {name.data(), nullptr};
         // A library does not print: Qt would complain of a missing runtime directory that we do not need.
-        const QtMessageHandler before = qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
+        const QtMessageHandler before =
+            qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
         // Never deleted: Qt's own statics may be gone before ours would be.
         static QGuiApplication* const application = new QGuiApplication(argc, argv.data());
         static_cast<void>(application);

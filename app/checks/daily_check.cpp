@@ -55,9 +55,8 @@ DailyCheck check_record(const model::Record& record, Progress& progress) {
 } // namespace
 
 std::size_t DailyCheck::count(model::Severity severity) const noexcept {
-    return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(), [&](const model::Diagnostic& d) {
-        return d.severity == severity;
-    }));
+    return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(),
+                                                  [&](const model::Diagnostic& d) { return d.severity == severity; }));
 }
 
 DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress) {
@@ -73,7 +72,8 @@ void accept_problem(Project& project, std::string_view id, std::string_view beca
     const auto it = std::find_if(check.problems.begin(), check.problems.end(),
                                  [&](const model::Diagnostic& d) { return d.id == id; });
     if (it == check.problems.end()) {
-        throw Error(ErrorCode::NotFound, fmt::format("no undecided problem has the id {}; planum check lists them", id));
+        throw Error(ErrorCode::NotFound,
+                    fmt::format("no undecided problem has the id {}; planum check lists them", id));
     }
     model::Decision decision = strat::accept(*it, std::string(text::trim(because)));
     decision.author = project.author();

@@ -15,14 +15,14 @@ namespace planum::app {
 
 /// What the demo made, and what the job on it came to.
 struct DemoJob {
-    std::filesystem::path project;          ///< from the sheets as they should be
-    std::filesystem::path mistaken_project; ///< from the copy with mistakes
+    std::filesystem::path project;               ///< from the sheets as they should be
+    std::filesystem::path mistaken_project;      ///< from the copy with mistakes
     std::vector<std::filesystem::path> drawings; ///< to look at
     std::size_t units = 0;
     std::size_t scans = 0;
     std::int64_t points = 0;
     std::size_t mistakes = 0;
-    std::size_t errors = 0;        ///< what check says about the sheets as they should be
+    std::size_t errors = 0; ///< what check says about the sheets as they should be
     std::size_t warnings = 0;
     std::size_t errors_mistaken = 0; ///< and about the copy with mistakes
     std::size_t warnings_mistaken = 0;

@@ -16,8 +16,8 @@ using model::RelationKind;
 using model::UnitForm;
 using model::UnitKind;
 
-constexpr double kStep = 0.01;      ///< nothing thinner than this is missed [m]
-constexpr double kExact = 0.0001;   ///< boundaries are found to this [m]
+constexpr double kStep = 0.01;    ///< nothing thinner than this is missed [m]
+constexpr double kExact = 0.0001; ///< boundaries are found to this [m]
 
 std::vector<Run> scan_column(const Formation& formation, double x, double y, double top, double bottom) {
     std::vector<Run> runs;
@@ -74,7 +74,8 @@ class ContactCounter {
             const FormedUnit& earlier = formation_.units()[static_cast<std::size_t>(contact.earlier)];
             const double total = contact.plan_area + contact.side_area;
             // Against the face of a wall, not over it.
-            if (contact.kind == RelationKind::Covers && earlier.kind == UnitKind::Structure && contact.plan_area < 0.3 * total) {
+            if (contact.kind == RelationKind::Covers && earlier.kind == UnitKind::Structure &&
+                contact.plan_area < 0.3 * total) {
                 contact.kind = RelationKind::Abuts;
             }
             all.push_back(contact);

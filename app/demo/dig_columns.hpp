@@ -15,7 +15,7 @@ namespace planum::app::demo {
 
 /// A piece of one vertical column that is one unit.
 struct Run {
-    float low = 0.0F;  ///< [m, site]
+    float low = 0.0F; ///< [m, site]
     float high = 0.0F;
     std::int16_t unit = 0;
     std::int16_t cut = kAir; ///< the last cut that had emptied it
@@ -29,12 +29,21 @@ class ColumnGrid {
     ColumnGrid(const SiteShape& site, const Formation& formation, Progress& progress);
 
     [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+
     [[nodiscard]] std::size_t size() const noexcept { return columns_ * rows_; }
+
     [[nodiscard]] double cell() const noexcept { return cell_; }
-    [[nodiscard]] double x_of(std::size_t column) const noexcept { return x0_ + (static_cast<double>(column) + 0.5) * cell_; }
+
+    [[nodiscard]] double x_of(std::size_t column) const noexcept {
+        return x0_ + (static_cast<double>(column) + 0.5) * cell_;
+    }
+
     [[nodiscard]] double y_of(std::size_t row) const noexcept { return y0_ + (static_cast<double>(row) + 0.5) * cell_; }
+
     [[nodiscard]] double x0() const noexcept { return x0_; }
+
     [[nodiscard]] double y0() const noexcept { return y0_; }
 
     [[nodiscard]] std::span<const Run> at(std::size_t index) const noexcept {

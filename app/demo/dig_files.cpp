@@ -25,7 +25,8 @@ void append_fixed(std::string& out, double value) {
     }
     char digits[24];
     int n = 0;
-    for (std::int64_t whole = scaled / 10000; whole > 0 || n == 0; whole /= 10) digits[n++] = static_cast<char>('0' + whole % 10);
+    for (std::int64_t whole = scaled / 10000; whole > 0 || n == 0; whole /= 10)
+        digits[n++] = static_cast<char>('0' + whole % 10);
     while (n > 0) out += digits[--n];
     out += '.';
     for (std::int64_t unit = 1000; unit > 0; unit /= 10) out += static_cast<char>('0' + scaled / unit % 10);
@@ -56,7 +57,8 @@ std::string units_csv(const DigRecord& record) {
     std::string out = "unit,area,kind,form,status,title,excavated_from,excavated_on,recorded_by,phase,group\n";
     for (const RecordedUnit& u : record.units) {
         out += row({u.number, kArea, std::string{model::to_word(u.kind)}, std::string{model::to_word(u.form)},
-                    std::string{model::to_word(u.status)}, u.title, u.excavated_from, u.excavated_on, u.recorded_by, u.phase, u.group});
+                    std::string{model::to_word(u.status)}, u.title, u.excavated_from, u.excavated_on, u.recorded_by,
+                    u.phase, u.group});
     }
     return out;
 }
@@ -72,7 +74,8 @@ std::string relations_csv(const DigRecord& record) {
 std::string levels_csv(const DigRecord& record) {
     std::string out = "unit,area,z,role,x,y,label\n";
     for (const RecordedLevel& l : record.levels) {
-        out += row({l.unit, kArea, metres(l.at.z), std::string{model::to_word(l.role)}, metres(l.at.x), metres(l.at.y), l.label});
+        out += row({l.unit, kArea, metres(l.at.z), std::string{model::to_word(l.role)}, metres(l.at.x), metres(l.at.y),
+                    l.label});
     }
     return out;
 }
@@ -123,11 +126,13 @@ ordered_json ring_json(const model::Ring& ring) {
 } // namespace
 
 std::string ptx_text(const ScanImage& image) {
-    std::string out = fmt::format("{}\n{}\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n", image.columns, image.rows);
+    std::string out = fmt::format("{}\n{}\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n",
+                                  image.columns, image.rows);
     out.reserve(out.size() + image.returns.size() * 32);
     for (int column = 0; column < image.columns; ++column) {
         for (int r = 0; r < image.rows; ++r) {
-            const Return& back = image.returns[static_cast<std::size_t>(column) * static_cast<std::size_t>(image.rows) + static_cast<std::size_t>(r)];
+            const Return& back = image.returns[static_cast<std::size_t>(column) * static_cast<std::size_t>(image.rows) +
+                                               static_cast<std::size_t>(r)];
             if (back.range <= 0.0F) {
                 out += "0 0 0 0.5\n";
                 continue;

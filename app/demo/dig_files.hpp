@@ -13,7 +13,8 @@ namespace planum::app::demo {
 [[nodiscard]] std::string ptx_text(const ScanImage& image);
 
 /// The tables of a record in our own CSV: file name and content.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> record_tables(const DigRecord& record, const DigPlan& plan);
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> record_tables(const DigRecord& record,
+                                                                             const DigPlan& plan);
 
 /// The outlines of one surface as GeoJSON in site coordinates.
 [[nodiscard]] std::string outlines_geojson(const DemoDig& dig, SurfaceNo surface);

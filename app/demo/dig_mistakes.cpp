@@ -21,7 +21,9 @@ std::string sentence(const RecordedRelation& r) { return fmt::format("{} {} {}",
 class Spoiler {
   public:
     Spoiler(DigRecord& record, const DigPlan& plan, const SeenContacts& seen)
-        : record_(record), seen_(seen), draw_(plan.seed, 6000), each_(plan.site.units < 20 ? 1 : plan.site.units < 100 ? 3 : 10) {}
+        : record_(record), seen_(seen), draw_(plan.seed, 6000), each_(plan.site.units < 20    ? 1
+                                                                      : plan.site.units < 100 ? 3
+                                                                                              : 10) {}
 
     std::vector<Mistake> spoil() {
         for (int i = 0; i < each_; ++i) {
@@ -36,7 +38,7 @@ class Spoiler {
 
   private:
     // A row that no mistake has touched yet, or nothing.
-    template <class Rows, class Fits>
+    template<class Rows, class Fits>
     auto* choose(Rows& rows, std::set<std::size_t>& touched, Fits fits) {
         for (int attempt = 0; attempt < 200 && !rows.empty(); ++attempt) {
             const auto i = static_cast<std::size_t>(draw_.below(static_cast<int>(rows.size())));
@@ -91,7 +93,8 @@ class Spoiler {
             return row.other.size() >= 4 && row.other[2] != row.other[3];
         });
         if (r == nullptr) return;
-        Mistake mistake{transpose ? "transposed-number" : "mistyped-number", "relations.csv", r->unit, sentence(*r), "", false};
+        Mistake mistake{
+            transpose ? "transposed-number" : "mistyped-number", "relations.csv", r->unit, sentence(*r), "", false};
         if (transpose) {
             std::swap(r->other[2], r->other[3]);
         } else {
@@ -103,13 +106,19 @@ class Spoiler {
     }
 
     void swap_heights() {
-        RecordedLevel* base = choose(record_.levels, levels_touched_, [](const RecordedLevel& l) { return l.role == model::LevelRole::Base; });
+        RecordedLevel* base = choose(record_.levels, levels_touched_,
+                                     [](const RecordedLevel& l) { return l.role == model::LevelRole::Base; });
         if (base == nullptr) return;
         const auto top = std::find_if(record_.levels.begin(), record_.levels.end(), [&](const RecordedLevel& l) {
             return l.unit == base->unit && l.role == model::LevelRole::Top;
         });
         if (top == record_.levels.end()) return;
-        Mistake mistake{"swapped-heights", "levels.csv", base->unit, fmt::format("top {:.3f}, base {:.3f}", top->at.z, base->at.z), "", false};
+        Mistake mistake{"swapped-heights",
+                        "levels.csv",
+                        base->unit,
+                        fmt::format("top {:.3f}, base {:.3f}", top->at.z, base->at.z),
+                        "",
+                        false};
         std::swap(top->at.z, base->at.z);
         for (RecordedLevel& l : record_.levels) { // the other heights of the top were read off the same line
             if (l.unit == base->unit && l.role == model::LevelRole::Top) l.at.z = std::min(l.at.z, top->at.z);

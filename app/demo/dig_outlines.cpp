@@ -49,14 +49,20 @@ class PatchMap {
     }
 
     [[nodiscard]] int columns() const { return columns_; }
+
     [[nodiscard]] std::size_t patches() const { return cells_.size(); }
+
     [[nodiscard]] const std::vector<int>& cells(std::size_t patch) const { return cells_[patch]; }
-    [[nodiscard]] int label(std::size_t patch) const { return labels_[static_cast<std::size_t>(cells_[patch].front())]; }
+
+    [[nodiscard]] int label(std::size_t patch) const {
+        return labels_[static_cast<std::size_t>(cells_[patch].front())];
+    }
 
     [[nodiscard]] int patch_at(int column, int row) const {
         if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return -1;
         return patch_[static_cast<std::size_t>(row * columns_ + column)];
     }
+
     // Lines are drawn between labels; everything outside the trench is one.
     [[nodiscard]] bool differs(int c1, int r1, int c2, int r2) const { return patch_at(c1, r1) != patch_at(c2, r2); }
 
@@ -94,12 +100,13 @@ class PatchMap {
                 });
             }
             if (around.empty()) continue;
-            const auto most = std::max_element(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+            const auto most = std::max_element(around.begin(), around.end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
             for (const int cell : patch) labels_[static_cast<std::size_t>(cell)] = most->first;
         }
     }
 
-    template <class Visit>
+    template<class Visit>
     void for_neighbours(int cell, Visit visit) const {
         const int column = cell % columns_;
         if (column > 0) visit(cell - 1);
@@ -181,7 +188,8 @@ class Hand {
 
     [[nodiscard]] std::array<double, 2> drawn(double x, double y) const {
         const auto tremble = [&](std::uint64_t axis) {
-            return 0.008 * noise(mix(key_, axis), x / 0.5, y / 0.5) + 0.003 * noise(mix(key_, axis + 10), x / 0.11, y / 0.11);
+            return 0.008 * noise(mix(key_, axis), x / 0.5, y / 0.5) +
+                   0.003 * noise(mix(key_, axis + 10), x / 0.11, y / 0.11);
         };
         return {x + shift_x_ + tremble(2), y + shift_y_ + tremble(3)};
     }
@@ -205,7 +213,8 @@ class Draughtsman {
             for (const auto& ring : rings_of(patches_, patch)) {
                 model::Ring drawn = draw_ring(ring);
                 if (drawn.size() < 3) continue;
-                (signed_area(drawn) > 0.0 ? regions.back().outline.outer : regions.back().outline.holes.emplace_back()) = std::move(drawn);
+                (signed_area(drawn) > 0.0 ? regions.back().outline.outer
+                                          : regions.back().outline.holes.emplace_back()) = std::move(drawn);
             }
         }
         std::erase_if(regions, [](const DrawnRegion& region) { return region.outline.outer.size() < 3; });
@@ -245,7 +254,8 @@ class Draughtsman {
         const auto row = std::min(static_cast<std::size_t>(std::max(p.y, 0.0)), grid_.rows() - 1);
         const auto drawn = hand_.drawn(x, y);
         const auto rounded = [](double v) { return std::round(v * 1e3) / 1e3; };
-        return {rounded(drawn[0]), rounded(drawn[1]), rounded(static_cast<double>(map_[row * grid_.columns() + column].z))};
+        return {rounded(drawn[0]), rounded(drawn[1]),
+                rounded(static_cast<double>(map_[row * grid_.columns() + column].z))};
     }
 
     // A ring in pieces between the corners where three lines meet; each piece is the same from both sides.
@@ -279,7 +289,8 @@ class Draughtsman {
 
 } // namespace
 
-std::vector<DrawnRegion> draw_outlines(const SurfaceMap& map, const ColumnGrid& grid, SurfaceNo surface, std::uint64_t seed) {
+std::vector<DrawnRegion> draw_outlines(const SurfaceMap& map, const ColumnGrid& grid, SurfaceNo surface,
+                                       std::uint64_t seed) {
     return Draughtsman(map, grid, surface, seed).draw();
 }
 

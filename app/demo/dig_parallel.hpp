@@ -15,7 +15,7 @@ namespace planum::app::demo {
 
 /// Runs work(i) for i in 0…count-1 on up to two threads; what work does may depend on i only. Progress is
 /// reported from the calling thread; the first exception is passed on.
-template <class Work>
+template<class Work>
 void for_each_index(std::size_t count, Progress& progress, Work work) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> stop{false};
@@ -27,7 +27,8 @@ void for_each_index(std::size_t count, Progress& progress, Work work) {
                 work(i);
                 if (!reports) continue;
                 progress.check();
-                if (count < 64 || i % (count / 64) == 0) progress.fraction(static_cast<double>(i) / static_cast<double>(count));
+                if (count < 64 || i % (count / 64) == 0)
+                    progress.fraction(static_cast<double>(i) / static_cast<double>(count));
             }
         } catch (...) { // thread boundary: handed to the caller below
             const std::lock_guard lock(failure_lock);

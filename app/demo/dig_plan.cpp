@@ -126,7 +126,8 @@ void choose_late(DigPlan& plan, const Formation& formation, Draw& draw) {
     std::vector<UnitNo> pits;
     for (std::size_t u = 0; u < formation.units().size(); ++u) {
         const FormedUnit& unit = formation.units()[u];
-        if (unit.kind == UnitKind::Cut && unit.title.find("pit") != std::string::npos) pits.push_back(static_cast<UnitNo>(u));
+        if (unit.kind == UnitKind::Cut && unit.title.find("pit") != std::string::npos)
+            pits.push_back(static_cast<UnitNo>(u));
     }
     const std::size_t wanted = std::max<std::size_t>(1, pits.size() / 6);
     for (std::size_t i = 0; i < wanted && !pits.empty(); ++i) {
@@ -156,18 +157,24 @@ bool may_wait(const DigPlan& plan, const std::vector<Contact>& contacts, UnitNo 
 }
 
 // Or can the other half go a surface earlier: is everything off that lay on the pit?
-bool may_begin(const DigPlan& plan, const Formation& formation, const std::vector<Contact>& contacts, UnitNo cut, SurfaceNo first) {
+bool may_begin(const DigPlan& plan, const Formation& formation, const std::vector<Contact>& contacts, UnitNo cut,
+               SurfaceNo first) {
     return first >= 1 && std::none_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-               const auto of_pit = [&](UnitNo unit) { return unit == cut || formation.units()[static_cast<std::size_t>(unit)].cut == cut; };
-               return of_pit(contact.earlier) && !of_pit(contact.later) && plan.out[static_cast<std::size_t>(contact.later)] > first;
+               const auto of_pit = [&](UnitNo unit) {
+                   return unit == cut || formation.units()[static_cast<std::size_t>(unit)].cut == cut;
+               };
+               return of_pit(contact.earlier) && !of_pit(contact.later) &&
+                      plan.out[static_cast<std::size_t>(contact.later)] > first;
            });
 }
 
 void choose_half(DigPlan& plan, const Formation& formation, const std::vector<Contact>& contacts, Draw& draw) {
     std::vector<std::pair<const FormationEvent*, SurfaceNo>> pits; // and when the first half is empty
     for (const FormationEvent& event : formation.events()) {
-        if (event.type != FormationEvent::Type::Cut || event.cut.plan != Plan::Round || event.cut.radius < 0.3) continue;
-        if (plan.late.size() > 1 && std::find(plan.late.begin(), plan.late.end(), event.unit) != plan.late.end()) continue;
+        if (event.type != FormationEvent::Type::Cut || event.cut.plan != Plan::Round || event.cut.radius < 0.3)
+            continue;
+        if (plan.late.size() > 1 && std::find(plan.late.begin(), plan.late.end(), event.unit) != plan.late.end())
+            continue;
         const SurfaceNo emptied = emptied_on(plan, formation, event.unit);
         if (may_wait(plan, contacts, event.unit, emptied + 1)) {
             pits.emplace_back(&event, emptied);
@@ -199,9 +206,12 @@ void choose_overdug(DigPlan& plan, const ColumnGrid& grid, Draw& draw) {
         for (std::size_t i = 1; i < runs.size(); ++i) {
             const SurfaceNo above = plan.out[static_cast<std::size_t>(runs[i - 1].unit)];
             const SurfaceNo below = plan.out[static_cast<std::size_t>(runs[i].unit)];
-            if (above >= below || above > plan.surfaces - 2 || runs[i].cut != kAir || runs[i].high - runs[i].low < 0.15F) continue;
+            if (above >= below || above > plan.surfaces - 2 || runs[i].cut != kAir ||
+                runs[i].high - runs[i].low < 0.15F)
+                continue;
             const Vec3 centre{x, grid.y_of(row), static_cast<double>(runs[i].high)};
-            plan.overdug = {true, above, centre, {draw.between(0.28, 0.4), draw.between(0.2, 0.3), draw.between(0.05, 0.08)}};
+            plan.overdug = {
+                true, above, centre, {draw.between(0.28, 0.4), draw.between(0.2, 0.3), draw.between(0.05, 0.08)}};
             return;
         }
     }

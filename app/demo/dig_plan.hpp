@@ -46,27 +46,29 @@ struct HalfSection {
     double y = 0.0;
     double normal_x = 0.0; ///< towards the half that goes first
     double normal_y = 1.0;
-    SurfaceNo first = 0;   ///< surface on which the first half is empty
+    SurfaceNo first = 0; ///< surface on which the first half is empty
 };
 
 /// What was taken away when. Invariant: what was gone on one surface is gone on all later ones.
 struct DigPlan {
     model::DigMethod method = model::DigMethod::Stratigraphic;
     SurfaceNo surfaces = 4;
-    std::vector<SurfaceNo> out;       ///< per unit: gone at the latest; kNever: by levels only, or not at all
-    std::vector<HeightTable> levels;  ///< per surface, where the method has levels
-    double baulk_low = 0.0;           ///< strip of x that goes last; empty when not low < high
+    std::vector<SurfaceNo> out;      ///< per unit: gone at the latest; kNever: by levels only, or not at all
+    std::vector<HeightTable> levels; ///< per surface, where the method has levels
+    double baulk_low = 0.0;          ///< strip of x that goes last; empty when not low < high
     double baulk_high = 0.0;
     OverdugPatch overdug;
     Slump slump;
     HalfSection half;
-    std::vector<UnitNo> late;         ///< cuts whose fills are drawn only from the second surface on
-    std::vector<std::string> days;    ///< ISO date of each surface
+    std::vector<UnitNo> late;      ///< cuts whose fills are drawn only from the second surface on
+    std::vector<std::string> days; ///< ISO date of each surface
     SiteShape site;
     std::uint64_t seed = 0;
 
     [[nodiscard]] bool in_baulk(double x) const noexcept { return x > baulk_low && x < baulk_high; }
+
     [[nodiscard]] bool has_levels() const noexcept { return method != model::DigMethod::Stratigraphic; }
+
     /// Height below which the side of the trench begins at (x, y).
     [[nodiscard]] double side_height(double x, double y) const noexcept;
     /// Surface from which on the point, being of that unit, is gone, if there were no baulk.

@@ -36,7 +36,9 @@ constexpr std::array kFindTypes = {FindType{"sherd", "pottery", 25}, FindType{"a
                                    FindType{"nail", "iron", 12},     FindType{"vessel fragment", "glass", 5},
                                    FindType{"tile", "ceramic", 180}, FindType{"coin", "copper alloy", 4}};
 
-std::string person(Draw& draw) { return kPeople[static_cast<std::size_t>(draw.below(static_cast<int>(kPeople.size())))]; }
+std::string person(Draw& draw) {
+    return kPeople[static_cast<std::size_t>(draw.below(static_cast<int>(kPeople.size())))];
+}
 
 // Where a unit begins and ends, and when it went.
 struct Extent {
@@ -66,7 +68,10 @@ class Recorder {
     }
 
   private:
-    [[nodiscard]] const std::string& number(UnitNo unit) const { return formation_.units()[static_cast<std::size_t>(unit)].number; }
+    [[nodiscard]] const std::string& number(UnitNo unit) const {
+        return formation_.units()[static_cast<std::size_t>(unit)].number;
+    }
+
     [[nodiscard]] Vec3 where(std::size_t index, float z) const {
         return {grid_.x_of(index % grid_.columns()), grid_.y_of(index / grid_.columns()), static_cast<double>(z)};
     }
@@ -77,7 +82,8 @@ class Recorder {
             for (std::size_t i = 0; i < runs.size(); ++i) {
                 const DugRun& run = runs[i];
                 const bool is_top = i == 0 || runs[i - 1].unit != run.unit;
-                note(extents_[static_cast<std::size_t>(run.unit)], run, where(index, run.high), where(index, run.low), is_top);
+                note(extents_[static_cast<std::size_t>(run.unit)], run, where(index, run.high), where(index, run.low),
+                     is_top);
                 // The cut that the run lies in: its bottom where something older follows below.
                 if (run.cut == kAir || run.gone == kSide) continue;
                 const bool on_side = i + 1 == runs.size() || runs[i + 1].unit < run.cut;
@@ -113,8 +119,12 @@ class Recorder {
             if (formed.kind != UnitKind::Natural) unit.phase = fmt::format("P{}", formed.phase + 1);
             if (formed.feature >= 0) unit.group = fmt::format("F{}", formed.feature + 1);
             const bool touched = extent.last_gone >= 0;
-            unit.status = !touched ? UnitStatus::NotExcavated : extent.left ? UnitStatus::PartlyExcavated : UnitStatus::Excavated;
-            if (touched) unit.excavated_from = plan_.days[static_cast<std::size_t>(std::min(extent.first_gone, plan_.surfaces - 1))];
+            unit.status = !touched      ? UnitStatus::NotExcavated
+                          : extent.left ? UnitStatus::PartlyExcavated
+                                        : UnitStatus::Excavated;
+            if (touched)
+                unit.excavated_from =
+                    plan_.days[static_cast<std::size_t>(std::min(extent.first_gone, plan_.surfaces - 1))];
             if (touched && !extent.left) unit.excavated_on = plan_.days[static_cast<std::size_t>(extent.last_gone)];
             record_.units.push_back(std::move(unit));
         }
@@ -122,7 +132,8 @@ class Recorder {
         for (std::size_t u = 0; u < formation_.units().size(); ++u) {
             const FormedUnit& formed = formation_.units()[u];
             if (formed.kind != UnitKind::Cut) continue;
-            const std::string of = formed.title.rfind("cut of ", 0) == 0 ? formed.title.substr(7) : "wall in a foundation trench";
+            const std::string of =
+                formed.title.rfind("cut of ", 0) == 0 ? formed.title.substr(7) : "wall in a foundation trench";
             groups.try_emplace(record_.units[u].group, RecordedGroup{record_.units[u].group, "feature", of});
         }
         for (const auto& [name, group] : groups) record_.groups.push_back(group);
@@ -138,12 +149,15 @@ class Recorder {
             if (area < kSeen || overlooked) continue;
             const auto state = [&](UnitNo unit, UnitNo other, std::string_view words) {
                 record_.relations.push_back({number(unit), std::string{words}, number(other), uncertain,
-                                             record_.units[static_cast<std::size_t>(unit)].recorded_by, contact.later, contact.earlier});
+                                             record_.units[static_cast<std::size_t>(unit)].recorded_by, contact.later,
+                                             contact.earlier});
             };
-            const auto& bare = model::is_symmetric(contact.kind) ? model::phrase(contact.kind) : model::to_word(contact.kind);
+            const auto& bare =
+                model::is_symmetric(contact.kind) ? model::phrase(contact.kind) : model::to_word(contact.kind);
             if (from_later) state(contact.later, contact.earlier, bare);
             if (from_earlier) {
-                state(contact.earlier, contact.later, model::is_symmetric(contact.kind) ? bare : model::inverse_phrase(contact.kind));
+                state(contact.earlier, contact.later,
+                      model::is_symmetric(contact.kind) ? bare : model::inverse_phrase(contact.kind));
             }
         }
     }
@@ -175,7 +189,8 @@ class Recorder {
         std::vector<std::vector<std::pair<std::size_t, DugRun>>> bodies(extents_.size());
         for (std::size_t index = 0; index < grid_.size(); index += 7) {
             for (const DugRun& run : dug_.at(index)) {
-                if (run.gone < plan_.surfaces && run.high - run.low > 0.01F) bodies[static_cast<std::size_t>(run.unit)].emplace_back(index, run);
+                if (run.gone < plan_.surfaces && run.high - run.low > 0.01F)
+                    bodies[static_cast<std::size_t>(run.unit)].emplace_back(index, run);
             }
         }
         int next = 1;
@@ -194,7 +209,8 @@ class Recorder {
         find.number = fmt::format("{}", running);
         find.unit = number(unit);
         find.at = where(index, run.low);
-        find.at.z = std::round((find.at.z + draw_.between(0.1, 0.9) * static_cast<double>(run.high - run.low)) * 1e3) / 1e3;
+        find.at.z =
+            std::round((find.at.z + draw_.between(0.1, 0.9) * static_cast<double>(run.high - run.low)) * 1e3) / 1e3;
         find.type = type.type;
         find.material = type.material;
         find.count = find.material == "pottery" || find.material == "bone" ? 1 + draw_.below(12) : 1;
@@ -204,7 +220,8 @@ class Recorder {
             // Struck before it was lost: somewhere in the phase or up to a lifetime before.
             const auto [from, to] = years(formation_.units()[static_cast<std::size_t>(unit)].phase);
             const int struck = from - 60 + draw_.below(to - from + 40);
-            record_.datings.push_back({fmt::format("coin {}", find.number), find.unit, find.number, model::DatingKind::Coin, struck, struck + 25});
+            record_.datings.push_back({fmt::format("coin {}", find.number), find.unit, find.number,
+                                       model::DatingKind::Coin, struck, struck + 25});
         }
         record_.finds.push_back(std::move(find));
     }
@@ -217,18 +234,21 @@ class Recorder {
     }
 
     void phases() {
-        record_.periods = {{"R", "Roman", "", 1, 450}, {"M", "medieval", "", 450, 1500}, {"PM", "post-medieval", "", 1500, 1950}};
+        record_.periods = {
+            {"R", "Roman", "", 1, 450}, {"M", "medieval", "", 450, 1500}, {"PM", "post-medieval", "", 1500, 1950}};
         for (int phase = 0; phase <= plan_.site.phases; ++phase) {
             const auto [from, to] = years(phase);
             const std::string period = from < 450 ? "R" : from < 1500 ? "M" : "PM";
-            const std::string title = phase == plan_.site.phases ? "modern soil" : fmt::format("occupation {}", phase + 1);
+            const std::string title =
+                phase == plan_.site.phases ? "modern soil" : fmt::format("occupation {}", phase + 1);
             record_.phases.push_back({fmt::format("P{}", phase + 1), title, period, from, to});
         }
         for (std::size_t u = 0; u < formation_.units().size(); ++u) {
             const FormedUnit& formed = formation_.units()[u];
             if (formed.form != UnitForm::Layer || formed.thin || !draw_.chance(0.5)) continue;
             const auto [from, to] = years(formed.phase);
-            record_.datings.push_back({fmt::format("pottery of {}", formed.number), formed.number, "", model::DatingKind::Typed, from, to});
+            record_.datings.push_back(
+                {fmt::format("pottery of {}", formed.number), formed.number, "", model::DatingKind::Typed, from, to});
         }
     }
 

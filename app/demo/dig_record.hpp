@@ -32,7 +32,7 @@ struct RecordedRelation {
     std::string other;
     bool uncertain = false;
     std::string person;
-    UnitNo later = kAir;   ///< the contact it is true of
+    UnitNo later = kAir; ///< the contact it is true of
     UnitNo earlier = kAir;
 };
 
@@ -99,9 +99,10 @@ void number_units(Formation& formation, const DigPlan& plan, const std::vector<S
 
 /// One mistake that was put into the copy of the record.
 struct Mistake {
-    std::string kind;     ///< reversed-relation, mistyped-number, transposed-number, swapped-heights, number-used-twice, find-in-wrong-unit
-    std::string table;    ///< file it is in
-    std::string unit;     ///< the unit or find it is about
+    std::string kind;  ///< reversed-relation, mistyped-number, transposed-number, swapped-heights, number-used-twice,
+                       ///< find-in-wrong-unit
+    std::string table; ///< file it is in
+    std::string unit;  ///< the unit or find it is about
     std::string was;
     std::string is;
     bool visible = false; ///< surfaces show that it is wrong

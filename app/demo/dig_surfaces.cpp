@@ -65,8 +65,8 @@ std::int16_t surroundings(const SurfaceMap& map, const ColumnGrid& grid, const B
             if (!of_feature[static_cast<std::size_t>(cell.unit)]) ++count[cell.unit];
         }
     }
-    const auto most = std::max_element(count.begin(), count.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto most =
+        std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     return most == count.end() ? std::int16_t{kAir} : most->first;
 }
 
@@ -157,7 +157,8 @@ void settle_slump(DigPlan& plan, const ColumnGrid& grid, const DugGrid& dug) {
         const double y = grid.y_of(index / grid.columns());
         if (std::hypot((x - plan.slump.x) / plan.slump.half_x, (y - plan.slump.y) / plan.slump.half_y) > 0.8) continue;
         const SurfaceCell cell = bare_cell(dug.at(index), plan, x, y, plan.slump.surface);
-        if (cell.shown == Shown::Top || cell.shown == Shown::Level) floor = std::min(floor, static_cast<double>(cell.z));
+        if (cell.shown == Shown::Top || cell.shown == Shown::Level)
+            floor = std::min(floor, static_cast<double>(cell.z));
     }
     plan.slump.floor = floor;
 }
@@ -189,7 +190,8 @@ SeenContacts seen_contacts(const std::vector<SurfaceMap>& maps, const ColumnGrid
             }
             if (last != nullptr && last->unit != cell.unit && cell.z < last->z - kLower) {
                 SeenContact& contact = seen[{last->unit, cell.unit}];
-                if (contact.area == 0.0) contact = {0.0, last_surface, static_cast<SurfaceNo>(s), contact.shared_outline};
+                if (contact.area == 0.0)
+                    contact = {0.0, last_surface, static_cast<SurfaceNo>(s), contact.shared_outline};
                 contact.area += area;
             }
             last = &cell;

@@ -51,7 +51,8 @@ struct SurfaceCell {
 using SurfaceMap = std::vector<SurfaceCell>;
 
 /// What lies bare, as it is. Needs the plan's slump to have its floor.
-[[nodiscard]] SurfaceMap map_surface(const ColumnGrid& grid, const DugGrid& dug, const DigPlan& plan, SurfaceNo surface);
+[[nodiscard]] SurfaceMap map_surface(const ColumnGrid& grid, const DugGrid& dug, const DigPlan& plan,
+                                     SurfaceNo surface);
 
 /// What the digger recognises: features seen too late are their surroundings on the first surface on which
 /// they show.

@@ -17,6 +17,7 @@ using nlohmann::ordered_json;
 
 // Short in the file: nlohmann prints the shortest text that reads back, so round to the decimals that count.
 ordered_json metres(double value) { return std::round(value * 1e4) / 1e4; }
+
 ordered_json amount(double value) { return std::round(value * 1e5) / 1e5; }
 
 ordered_json point(const Vec3& p) { return {metres(p.x), metres(p.y), metres(p.z)}; }
@@ -46,8 +47,13 @@ class TruthWriter {
     }
 
   private:
-    [[nodiscard]] const std::string& number(UnitNo unit) const { return dig_.formation.units()[static_cast<std::size_t>(unit)].number; }
-    [[nodiscard]] const std::string& day(SurfaceNo surface) const { return dig_.plan.days[static_cast<std::size_t>(surface)]; }
+    [[nodiscard]] const std::string& number(UnitNo unit) const {
+        return dig_.formation.units()[static_cast<std::size_t>(unit)].number;
+    }
+
+    [[nodiscard]] const std::string& day(SurfaceNo surface) const {
+        return dig_.plan.days[static_cast<std::size_t>(surface)];
+    }
 
     [[nodiscard]] const char* size_word() const {
         switch (dig_.options.size) {
@@ -66,7 +72,8 @@ class TruthWriter {
             const Vec3& o = scan.station.pose.origin;
             all.push_back({{"scan", scan.station.name},
                            {"day", day(scan.station.surface)},
-                           {"site_from_scan", {r[0], r[1], r[2], o.x, r[3], r[4], r[5], o.y, r[6], r[7], r[8], o.z, 0.0, 0.0, 0.0, 1.0}},
+                           {"site_from_scan",
+                            {r[0], r[1], r[2], o.x, r[3], r[4], r[5], o.y, r[6], r[7], r[8], o.z, 0.0, 0.0, 0.0, 1.0}},
                            {"points", scan.points},
                            {"mixed_pixels", scan.mixed},
                            {"people_or_vehicles", scan.people},
@@ -105,8 +112,11 @@ class TruthWriter {
         for (std::size_t u = 0; u < dig_.formation.units().size(); ++u) {
             const FormedUnit& unit = dig_.formation.units()[u];
             const auto no = static_cast<UnitNo>(u);
-            ordered_json entry = {{"unit", unit.number}, {"kind", model::to_word(unit.kind)}, {"form", model::to_word(unit.form)},
-                                  {"dug_m3", amount(dug[no])}, {"bare_on_some_surface", shown.contains(no)}};
+            ordered_json entry = {{"unit", unit.number},
+                                  {"kind", model::to_word(unit.kind)},
+                                  {"form", model::to_word(unit.form)},
+                                  {"dug_m3", amount(dug[no])},
+                                  {"bare_on_some_surface", shown.contains(no)}};
             if (unit.cut != kAir) entry["of_cut"] = number(unit.cut);
             all.push_back(std::move(entry));
         }
@@ -135,13 +145,14 @@ class TruthWriter {
         for (const Contact& contact : dig_.contacts) {
             const auto found = dig_.seen.find({contact.later, contact.earlier});
             const bool is_seen = found != dig_.seen.end() && found->second.area > 0.0;
-            ordered_json entry = {{"unit", number(contact.later)},
-                                  {"kind", model::to_word(contact.kind)},
-                                  {"other", number(contact.earlier)},
-                                  {"plan_area_m2", amount(contact.plan_area)},
-                                  {"side_area_m2", amount(contact.side_area)},
-                                  {"visible_m2", amount(is_seen ? found->second.area : 0.0)},
-                                  {"shared_outline_m", metres(found != dig_.seen.end() ? found->second.shared_outline : 0.0)}};
+            ordered_json entry = {
+                {"unit", number(contact.later)},
+                {"kind", model::to_word(contact.kind)},
+                {"other", number(contact.earlier)},
+                {"plan_area_m2", amount(contact.plan_area)},
+                {"side_area_m2", amount(contact.side_area)},
+                {"visible_m2", amount(is_seen ? found->second.area : 0.0)},
+                {"shared_outline_m", metres(found != dig_.seen.end() ? found->second.shared_outline : 0.0)}};
             entry["surfaces"] = ordered_json::array();
             if (is_seen) entry["surfaces"] = {day(found->second.from), day(found->second.to)};
             all.push_back(std::move(entry));
@@ -154,7 +165,9 @@ class TruthWriter {
         ordered_json all = ordered_json::array();
         for (const auto& [pair, contact] : dig_.seen) {
             if (contact.area <= 0.0) continue;
-            all.push_back({{"first", number(pair.first)}, {"then", number(pair.second)}, {"area_m2", amount(contact.area)},
+            all.push_back({{"first", number(pair.first)},
+                           {"then", number(pair.second)},
+                           {"area_m2", amount(contact.area)},
                            {"surfaces", {day(contact.from), day(contact.to)}}});
         }
         return all;
@@ -165,7 +178,8 @@ class TruthWriter {
         std::vector<double> by_surface(static_cast<std::size_t>(dig_.plan.surfaces), 0.0);
         double total = 0.0;
         for (const auto& [key, volume] : dig_.volumes) {
-            by_unit.push_back({{"unit", number(key.first)}, {"gone_on", day(key.second)}, {"volume_m3", amount(volume)}});
+            by_unit.push_back(
+                {{"unit", number(key.first)}, {"gone_on", day(key.second)}, {"volume_m3", amount(volume)}});
             by_surface[static_cast<std::size_t>(key.second)] += volume;
             total += volume;
         }
@@ -180,7 +194,9 @@ class TruthWriter {
         const DigPlan& plan = dig_.plan;
         ordered_json special = ordered_json::object();
         if (plan.baulk_low < plan.baulk_high) {
-            special["baulk"] = {{"x_from", metres(plan.baulk_low)}, {"x_to", metres(plan.baulk_high)}, {"gone_on", day(plan.surfaces - 1)}};
+            special["baulk"] = {{"x_from", metres(plan.baulk_low)},
+                                {"x_to", metres(plan.baulk_high)},
+                                {"gone_on", day(plan.surfaces - 1)}};
         }
         if (plan.half.cut != kAir) {
             const HalfSection& half = plan.half;
@@ -191,10 +207,13 @@ class TruthWriter {
                                        {"second_half_gone_on", day(std::min(half.first + 1, plan.surfaces - 1))}};
         }
         if (plan.overdug.made) {
-            special["overdug"] = {{"surface", day(plan.overdug.surface)}, {"centre", point(plan.overdug.centre)}, {"radii", point(plan.overdug.radii)}};
+            special["overdug"] = {{"surface", day(plan.overdug.surface)},
+                                  {"centre", point(plan.overdug.centre)},
+                                  {"radii", point(plan.overdug.radii)}};
         }
         if (plan.slump.fell) {
-            special["slump"] = {{"surface", day(plan.slump.surface)}, {"foot", {metres(plan.slump.x), metres(plan.slump.y), metres(plan.slump.floor)}},
+            special["slump"] = {{"surface", day(plan.slump.surface)},
+                                {"foot", {metres(plan.slump.x), metres(plan.slump.y), metres(plan.slump.floor)}},
                                 {"height", metres(plan.slump.height)}};
         }
         special["recognised_late"] = ordered_json::array();
@@ -205,7 +224,11 @@ class TruthWriter {
     [[nodiscard]] ordered_json mistakes() const {
         ordered_json all = ordered_json::array();
         for (const Mistake& m : dig_.mistakes) {
-            all.push_back({{"kind", m.kind}, {"file", "with-mistakes/" + m.table}, {"about", m.unit}, {"was", m.was}, {"is", m.is},
+            all.push_back({{"kind", m.kind},
+                           {"file", "with-mistakes/" + m.table},
+                           {"about", m.unit},
+                           {"was", m.was},
+                           {"is", m.is},
                            {"surfaces_show_it", m.visible}});
         }
         return all;
@@ -216,6 +239,8 @@ class TruthWriter {
 
 } // namespace
 
-std::string truth_json(const DemoDig& dig, const std::vector<ScanTruth>& scans) { return TruthWriter(dig).write(scans); }
+std::string truth_json(const DemoDig& dig, const std::vector<ScanTruth>& scans) {
+    return TruthWriter(dig).write(scans);
+}
 
 } // namespace planum::app::demo

@@ -26,8 +26,10 @@ class FolderWriter {
         }
         make(folder_);
     }
+
     FolderWriter(const FolderWriter&) = delete;
     FolderWriter& operator=(const FolderWriter&) = delete;
+
     ~FolderWriter() {
         if (kept_) return;
         std::error_code ignored; // on the way out of another failure
@@ -36,7 +38,8 @@ class FolderWriter {
     }
 
     void write(const fs::path& name, const std::string& bytes) {
-        if (!name.parent_path().empty() && !fs::exists(folder_ / name.parent_path())) make(folder_ / name.parent_path());
+        if (!name.parent_path().empty() && !fs::exists(folder_ / name.parent_path()))
+            make(folder_ / name.parent_path());
         write_file_atomically(folder_ / name, bytes);
         written_.push_back(name);
     }
@@ -72,20 +75,24 @@ WrittenDemo write_demo(const DemoDig& dig, const std::filesystem::path& folder, 
     WrittenDemo result;
     std::vector<ScanTruth> truths;
     std::string markers = "scan,marker,x,y,z\n";
-    for (const Marker& marker : make_scene(dig.site, dig.options.seed, 0.0).markers) append_marker(markers, "site", marker.name, marker.x_in_site);
+    for (const Marker& marker : make_scene(dig.site, dig.options.seed, 0.0).markers)
+        append_marker(markers, "site", marker.name, marker.x_in_site);
     for (SurfaceNo s = 0; s < dig.plan.surfaces; ++s) {
         for (const SimulatedScan& scan : scan_surface(dig, s, progress)) {
             progress.check();
             writer.write(scan.station.name + ".ptx", ptx_text(scan.image));
             result.points += scan.image.count;
-            truths.push_back({scan.station, scan.image.count, scan.image.mixed, scan.image.people, scan.markers.size()});
-            for (const MeasuredMarker& marker : scan.markers) append_marker(markers, scan.station.name, marker.name, marker.x_in_scan);
+            truths.push_back(
+                {scan.station, scan.image.count, scan.image.mixed, scan.image.people, scan.markers.size()});
+            for (const MeasuredMarker& marker : scan.markers)
+                append_marker(markers, scan.station.name, marker.name, marker.x_in_scan);
         }
         writer.write("outlines/" + dig.plan.days[static_cast<std::size_t>(s)] + ".geojson", outlines_geojson(dig, s));
     }
     writer.write("markers.csv", markers);
     for (const auto& [name, table] : record_tables(dig.record, dig.plan)) writer.write("record/" + name, table);
-    for (const auto& [name, table] : record_tables(dig.mistaken, dig.plan)) writer.write("with-mistakes/" + name, table);
+    for (const auto& [name, table] : record_tables(dig.mistaken, dig.plan))
+        writer.write("with-mistakes/" + name, table);
     writer.write("truth.json", truth_json(dig, truths));
     result.files = writer.keep();
     return result;

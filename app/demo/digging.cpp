@@ -29,9 +29,11 @@ std::vector<std::vector<char>> everything_below(const TrenchHistory& history) {
     return below;
 }
 
-bool is_implied(const TrenchContact& contact, const TrenchHistory& history, const std::vector<std::vector<char>>& below) {
+bool is_implied(const TrenchContact& contact, const TrenchHistory& history,
+                const std::vector<std::vector<char>>& below) {
     return std::any_of(history.contacts.begin(), history.contacts.end(), [&](const TrenchContact& other) {
-        return other.later == contact.later && other.earlier != contact.earlier && below[other.earlier][contact.earlier] != 0;
+        return other.later == contact.later && other.earlier != contact.earlier &&
+               below[other.earlier][contact.earlier] != 0;
     });
 }
 
@@ -59,7 +61,8 @@ Digging dig(Random& random, const TrenchHistory& history, std::size_t first_numb
         auto pick = free.begin() + static_cast<std::ptrdiff_t>(random.below(free.size()));
         if (random.chance(2.0 / 3.0)) {
             pick = std::min_element(free.begin(), free.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return distance(history.units[a], history.units[last]) < distance(history.units[b], history.units[last]);
+                return distance(history.units[a], history.units[last]) <
+                       distance(history.units[b], history.units[last]);
             });
         }
         last = *pick;
@@ -73,7 +76,8 @@ Digging dig(Random& random, const TrenchHistory& history, std::size_t first_numb
     }
     std::vector<std::uint32_t> order(n);
     std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return noticed[a] < noticed[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return noticed[a] < noticed[b]; });
     std::size_t number = first_number;
     for (const std::uint32_t u : order) {
         while (random.chance(0.03)) ++number; // never used
@@ -91,7 +95,8 @@ std::string iso_day(std::int64_t n) {
                        static_cast<unsigned>(date.day()));
 }
 
-std::vector<TrenchContact> recorded_contacts(Random& random, const TrenchHistory& history, double per_unit, double redundant) {
+std::vector<TrenchContact> recorded_contacts(Random& random, const TrenchHistory& history, double per_unit,
+                                             double redundant) {
     const auto below = everything_below(history);
     std::vector<TrenchContact> recorded;
     std::vector<TrenchContact> implied;
@@ -109,7 +114,8 @@ std::vector<TrenchContact> recorded_contacts(Random& random, const TrenchHistory
     auto extra = static_cast<std::size_t>(static_cast<double>(recorded.size()) * redundant / (1.0 - redundant));
     if (recorded.size() < target) extra = std::max(extra, std::min(target - recorded.size(), 4 * recorded.size()));
     // The larger a contact, the likelier somebody writes it down.
-    std::stable_sort(implied.begin(), implied.end(), [](const TrenchContact& a, const TrenchContact& b) { return a.cells > b.cells; });
+    std::stable_sort(implied.begin(), implied.end(),
+                     [](const TrenchContact& a, const TrenchContact& b) { return a.cells > b.cells; });
     while (extra > 0 && !implied.empty()) {
         const std::size_t at = std::min(random.below(implied.size()), random.below(implied.size()));
         recorded.push_back(implied[at]);

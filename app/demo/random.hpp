@@ -23,8 +23,11 @@ class Random {
 
     /// 0 ≤ x < 1
     [[nodiscard]] double unit() noexcept { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+
     [[nodiscard]] double between(double low, double high) noexcept { return low + (high - low) * unit(); }
+
     [[nodiscard]] bool chance(double probability) noexcept { return unit() < probability; }
+
     /// 0 … n−1; n must not be 0.
     [[nodiscard]] std::size_t below(std::size_t n) noexcept { return static_cast<std::size_t>(next() % n); }
 

@@ -52,7 +52,7 @@ class Generator {
     model::SourceId source_;
     std::int64_t line_ = 1;
 
-    template <class AnyId>
+    template<class AnyId>
     AnyId id() {
         return AnyId{ids_.next()};
     }
@@ -148,17 +148,20 @@ class Generator {
         const bool is_cut = source.kind == UnitKind::Cut;
         for (std::size_t i = 0; i < spots; ++i) {
             // The staff goes to the deepest point of a cut first, elsewhere to wherever it stands best.
-            const TrenchCell& cell = is_cut && i == 0 ? deepest(source) : source.cells[random_.below(source.cells.size())];
+            const TrenchCell& cell =
+                is_cut && i == 0 ? deepest(source) : source.cells[random_.below(source.cells.size())];
             add_level(unit, cell, is_cut ? model::LevelRole::Cut : model::LevelRole::Top, offset_x, with_position);
             if (!is_cut && random_.chance(0.4)) add_level(unit, cell, model::LevelRole::Base, offset_x, with_position);
         }
     }
 
     static const TrenchCell& deepest(const TrenchUnit& unit) {
-        return *std::min_element(unit.cells.begin(), unit.cells.end(), [](const TrenchCell& a, const TrenchCell& b) { return a.top < b.top; });
+        return *std::min_element(unit.cells.begin(), unit.cells.end(),
+                                 [](const TrenchCell& a, const TrenchCell& b) { return a.top < b.top; });
     }
 
-    void add_level(model::UnitId unit, const TrenchCell& cell, model::LevelRole role, double offset_x, bool with_position) {
+    void add_level(model::UnitId unit, const TrenchCell& cell, model::LevelRole role, double offset_x,
+                   bool with_position) {
         model::Level level;
         level.id = id<model::LevelId>();
         level.unit = unit;
@@ -177,7 +180,8 @@ class Generator {
         if (!random_.chance(o_.dated)) return;
         const double span = static_cast<double>(kLastYear - kFirstYear);
         double year = static_cast<double>(kFirstYear) + time * span - random_.exponential(0.08 * span);
-        if (random_.chance(0.02)) year = random_.between(static_cast<double>(kFirstYear), static_cast<double>(kLastYear));
+        if (random_.chance(0.02))
+            year = random_.between(static_cast<double>(kFirstYear), static_cast<double>(kLastYear));
         model::Dating dating;
         dating.id = id<model::DatingId>();
         dating.unit = unit;
@@ -227,10 +231,11 @@ class Generator {
         std::size_t next = digging.next_number;
         for (std::size_t u = 0; u < history.units.size(); ++u) {
             if (history.units[u].form != model::UnitForm::Layer || !random_.chance(o_.same_as)) continue;
-            const auto above = std::find_if(history.contacts.begin(), history.contacts.end(), [&](const TrenchContact& c) {
-                return c.earlier == u && c.kind == RelationKind::Covers;
-            });
-            if (above == history.contacts.end() || next > static_cast<std::size_t>(std::stoul(area.last_number))) continue;
+            const auto above =
+                std::find_if(history.contacts.begin(), history.contacts.end(),
+                             [&](const TrenchContact& c) { return c.earlier == u && c.kind == RelationKind::Covers; });
+            if (above == history.contacts.end() || next > static_cast<std::size_t>(std::stoul(area.last_number)))
+                continue;
             model::StratigraphicUnit unit;
             unit.id = id<model::UnitId>();
             unit.number = std::to_string(next++);
@@ -260,7 +265,8 @@ GeneratedRecord generate_record(const RecordOptions& options) {
         throw Error(ErrorCode::Usage, fmt::format("a generated record has 50 to 20000 units, not {}", options.units));
     }
     if (options.relations_per_unit < 1.0 || options.relations_per_unit > 6.0) {
-        throw Error(ErrorCode::Usage, fmt::format("a generated record has 1 to 6 relations a unit, not {}", options.relations_per_unit));
+        throw Error(ErrorCode::Usage,
+                    fmt::format("a generated record has 1 to 6 relations a unit, not {}", options.relations_per_unit));
     }
     return Generator(options).run();
 }

@@ -28,20 +28,20 @@ namespace planum::app {
 ///   intrusive. Phases are slices of time; two units in a hundred stand in a neighbouring one.
 struct RecordOptions {
     std::uint64_t seed = 1;
-    std::size_t units = 300;          ///< 50 … 20,000
-    double relations_per_unit = 1.6;  ///< 1.2 … 5
-    double redundant = 0.3;           ///< share of relations that others imply
-    double both_sheets = 0.8;         ///< share stated from both sides; 0: a list with one side only
-    double levelled = 0.65;           ///< share of units with levels
-    double positioned = 0.7;          ///< share of levels with x and y
-    double level_noise = 0.02;        ///< σ [m]
-    double number_blur = 20.0;        ///< σ of the order of numbers against that of digging [places]
-    double dug_dates = 0.7;           ///< share of units that say when they were dug
-    double dated = 0.12;              ///< share with finds that date
-    double phased = 0.5;              ///< share with a phase
-    double same_as = 0.01;            ///< share of layers that carry two numbers
-    double uncertain = 0.02;          ///< share of relations marked so
-    double unknown_kind = 0.05;       ///< share of units whose kind nobody wrote down
+    std::size_t units = 300;         ///< 50 … 20,000
+    double relations_per_unit = 1.6; ///< 1.2 … 5
+    double redundant = 0.3;          ///< share of relations that others imply
+    double both_sheets = 0.8;        ///< share stated from both sides; 0: a list with one side only
+    double levelled = 0.65;          ///< share of units with levels
+    double positioned = 0.7;         ///< share of levels with x and y
+    double level_noise = 0.02;       ///< σ [m]
+    double number_blur = 20.0;       ///< σ of the order of numbers against that of digging [places]
+    double dug_dates = 0.7;          ///< share of units that say when they were dug
+    double dated = 0.12;             ///< share with finds that date
+    double phased = 0.5;             ///< share with a phase
+    double same_as = 0.01;           ///< share of layers that carry two numbers
+    double uncertain = 0.02;         ///< share of relations marked so
+    double unknown_kind = 0.05;      ///< share of units whose kind nobody wrote down
 };
 
 struct GeneratedRecord {

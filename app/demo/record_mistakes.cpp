@@ -24,10 +24,12 @@ constexpr std::pair<UnitIndex, UnitIndex> kNothing = {model::kNoUnit, model::kNo
 class Seeder {
   public:
     Seeder(GeneratedRecord& generated, MistakeKind kind, const MistakeOptions& options)
-        : g_(generated), kind_(kind), o_(options), random_(options.seed), ids_(options.seed ^ 0x5EEDULL), index_(generated.record) {
+        : g_(generated), kind_(kind), o_(options), random_(options.seed), ids_(options.seed ^ 0x5EEDULL),
+          index_(generated.record) {
         below_.resize(g_.record.units.size());
         for (const model::PhysicalRelation& r : g_.record.relations) {
-            if (model::time_meaning(r.kind) == TimeMeaning::SubjectLater) below_[index_.find(r.subject)].push_back(index_.find(r.object));
+            if (model::time_meaning(r.kind) == TimeMeaning::SubjectLater)
+                below_[index_.find(r.subject)].push_back(index_.find(r.object));
         }
     }
 
@@ -79,7 +81,9 @@ class Seeder {
         return 0;
     }
 
-    [[nodiscard]] bool cycle_is_as_asked(std::size_t cycle) const { return o_.least_cycle == 0 || cycle >= o_.least_cycle; }
+    [[nodiscard]] bool cycle_is_as_asked(std::size_t cycle) const {
+        return o_.least_cycle == 0 || cycle >= o_.least_cycle;
+    }
 
     [[nodiscard]] std::vector<std::string> slips(const std::string& number) const {
         std::vector<std::string> texts;
@@ -137,23 +141,26 @@ class Seeder {
         return write_wrong(right, s, stated_elsewhere, later, earlier, side, cycle);
     }
 
-    Mistake write_wrong(const model::PhysicalRelation& right, std::size_t statement, bool stated_elsewhere, UnitIndex later,
-                        UnitIndex earlier, StatementSide side, std::size_t cycle) {
+    Mistake write_wrong(const model::PhysicalRelation& right, std::size_t statement, bool stated_elsewhere,
+                        UnitIndex later, UnitIndex earlier, StatementSide side, std::size_t cycle) {
         Mistake mistake;
         mistake.cycle = cycle;
-        mistake.what = fmt::format("{} {} {} instead of {} {} {}", index_.name(later), model::to_word(right.kind), index_.name(earlier),
-                                   index_.name(right.subject), model::to_word(right.kind), index_.name(right.object));
+        mistake.what = fmt::format("{} {} {} instead of {} {} {}", index_.name(later), model::to_word(right.kind),
+                                   index_.name(earlier), index_.name(right.subject), model::to_word(right.kind),
+                                   index_.name(right.object));
         model::PhysicalRelation wrong = right;
         wrong.subject = record().units[later].id;
         wrong.object = record().units[earlier].id;
-        const auto known = std::find_if(record().relations.begin(), record().relations.end(), [&](const model::PhysicalRelation& r) {
-            return r.subject == wrong.subject && r.object == wrong.object && r.kind == wrong.kind;
-        });
+        const auto known =
+            std::find_if(record().relations.begin(), record().relations.end(), [&](const model::PhysicalRelation& r) {
+                return r.subject == wrong.subject && r.object == wrong.object && r.kind == wrong.kind;
+            });
         wrong.id = known != record().relations.end() ? known->id : model::RelationId{ids_.next()};
         record().statements[statement].relation = wrong.id;
         record().statements[statement].side = side;
         if (known == record().relations.end()) record().relations.push_back(wrong);
-        if (!stated_elsewhere) std::erase_if(record().relations, [&](const model::PhysicalRelation& r) { return r.id == right.id; });
+        if (!stated_elsewhere)
+            std::erase_if(record().relations, [&](const model::PhysicalRelation& r) { return r.id == right.id; });
         mistake.relation = wrong.id;
         return mistake;
     }
@@ -167,7 +174,8 @@ class Seeder {
         Mistake mistake;
         mistake.cycle = cycle;
         mistake.what = fmt::format("{} same as {}", index_.name(a), index_.name(b));
-        model::PhysicalRelation wrong{model::RelationId{ids_.next()}, record().units[a].id, RelationKind::SameAs, record().units[b].id, {}, true};
+        model::PhysicalRelation wrong{
+            model::RelationId{ids_.next()}, record().units[a].id, RelationKind::SameAs, record().units[b].id, {}, true};
         model::RelationStatement statement;
         statement.id = model::StatementId{ids_.next()};
         statement.relation = mistake.relation = wrong.id;
@@ -209,7 +217,8 @@ class Seeder {
         const model::PhysicalRelation& r = record().relations[random_.below(record().relations.size())];
         if (model::time_meaning(r.kind) != TimeMeaning::SubjectLater) return std::nullopt;
         const auto has_levels = [&](model::UnitId unit) {
-            return std::any_of(record().levels.begin(), record().levels.end(), [&](const model::Level& l) { return l.unit == unit; });
+            return std::any_of(record().levels.begin(), record().levels.end(),
+                               [&](const model::Level& l) { return l.unit == unit; });
         };
         if (!has_levels(r.subject) || !has_levels(r.object)) return std::nullopt;
         Mistake mistake;
@@ -243,7 +252,8 @@ class Seeder {
         std::unordered_map<model::UnitId, double> formed;
         for (std::size_t u = 0; u < record().units.size(); ++u) formed.emplace(record().units[u].id, g_.formed[u]);
         const auto living = [&](model::RelationId id) {
-            return std::any_of(record().relations.begin(), record().relations.end(), [&](const auto& r) { return r.id == id; });
+            return std::any_of(record().relations.begin(), record().relations.end(),
+                               [&](const auto& r) { return r.id == id; });
         };
         if (kind_ == MistakeKind::NumberUsedTwice) {
             std::erase_if(record().statements, [&](const model::RelationStatement& s) { return !living(s.relation); });

@@ -18,17 +18,21 @@ using model::UnitKind;
 constexpr double kAround = 0.6; ///< the strata go on behind the sides of the trench [m]
 constexpr double kGone = 0.3;   ///< how far below the ground the top of a deposit is put where it has ended [m]
 
-constexpr std::array kSpreads = {"grey-brown loam with charcoal flecks", "yellow clay with pebbles", "dark humic silt",
-                                 "sandy silt with brick crumbs", "greenish silt, compact", "ashy layer with daub",
-                                 "gravelly sand", "brown clay with oyster shell"};
-constexpr std::array kFills = {"dark loose fill with bone", "brown silt fill", "grey ashy fill", "stony fill",
-                               "greenish cess-like fill", "mottled clay fill"};
+constexpr std::array kSpreads = {"grey-brown loam with charcoal flecks",
+                                 "yellow clay with pebbles",
+                                 "dark humic silt",
+                                 "sandy silt with brick crumbs",
+                                 "greenish silt, compact",
+                                 "ashy layer with daub",
+                                 "gravelly sand",
+                                 "brown clay with oyster shell"};
+constexpr std::array kFills = {"dark loose fill with bone", "brown silt fill",  "grey ashy fill", "stony fill",
+                               "greenish cess-like fill",   "mottled clay fill"};
 
-template <std::size_t N>
+template<std::size_t N>
 std::string pick(const std::array<const char*, N>& words, Draw& draw) {
     return words[static_cast<std::size_t>(draw.below(static_cast<int>(N)))];
 }
-
 
 Bounds widened(const Bounds& b, double by) {
     return {{b.low.x - by, b.low.y - by, b.low.z}, {b.high.x + by, b.high.y + by, b.high.z}};
@@ -166,7 +170,8 @@ UnitNo SiteComposer::add_cut(const CutShape& shape, std::string title, int phase
 }
 
 UnitNo SiteComposer::add_wall(const WallShape& shape, UnitNo cut, int phase) {
-    const UnitNo unit = add_unit(UnitKind::Structure, UnitForm::Masonry, "wall of roughly squared stone, lime mortar", phase);
+    const UnitNo unit =
+        add_unit(UnitKind::Structure, UnitForm::Masonry, "wall of roughly squared stone, lime mortar", phase);
     units_.back().feature = features_;
     units_.back().cut = cut;
     FormationEvent event;
@@ -209,7 +214,8 @@ SiteComposer::Circle SiteComposer::find_place(double radius, int phase) {
     double best_room = -std::numeric_limits<double>::infinity();
     for (int attempt = 0; attempt < 80; ++attempt) {
         const Circle here{draw_.between(site_.trench.low.x + margin, site_.trench.high.x - margin),
-                          draw_.between(site_.trench.low.y + margin, site_.trench.high.y - margin), radius, phase, false};
+                          draw_.between(site_.trench.low.y + margin, site_.trench.high.y - margin), radius, phase,
+                          false};
         double room = 1.0;
         for (const Circle& other : taken_) {
             if (other.phase != phase && !other.wall) continue;
@@ -275,7 +281,8 @@ void SiteComposer::pit(bool bell, int fills, int phase) {
     shape.axis_y = std::sin(angle);
     shape.wobble = {draw_.between(-0.07, 0.07), draw_.between(-0.07, 0.07), draw_.between(-0.05, 0.05)};
     shape.mouth = soil_.at(place.x, place.y);
-    shape.base = std::max(shape.mouth - draw_.between(bell ? 0.65 : 0.35, bell ? 0.95 : 0.8), site_.trench.low.z + 0.15);
+    shape.base =
+        std::max(shape.mouth - draw_.between(bell ? 0.65 : 0.35, bell ? 0.95 : 0.8), site_.trench.low.z + 0.15);
     const UnitNo cut = add_cut(shape, bell ? "cut of a bell-shaped storage pit" : "cut of a pit", phase);
     add_fills(shape, cut, fills, phase);
 }

@@ -21,8 +21,11 @@ std::vector<PhasePlan> backbone(const SiteShape& site, DemoSize size) {
         return phases;
     }
     if (size == DemoSize::Small) {
-        phases[0] = {{FeatureType::Wall, 0}, {FeatureType::Floor, 0}, {FeatureType::PostHole, 1},
-                     {FeatureType::BellPit, 2}, {FeatureType::Mound, 0}};
+        phases[0] = {{FeatureType::Wall, 0},
+                     {FeatureType::Floor, 0},
+                     {FeatureType::PostHole, 1},
+                     {FeatureType::BellPit, 2},
+                     {FeatureType::Mound, 0}};
         return phases;
     }
     phases[0] = {{FeatureType::Ditch, 2}, {FeatureType::Pit, 2}};

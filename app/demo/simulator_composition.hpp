@@ -12,15 +12,15 @@ enum class DemoSize { Tiny, Small, Medium, Large };
 
 /// The frame of a dig of one size. Lengths in metres, heights in the site grid.
 struct SiteShape {
-    Bounds trench;        ///< low.z: nothing is dug below; high.z: the turf in the middle
+    Bounds trench; ///< low.z: nothing is dug below; high.z: the turf in the middle
     int days = 4;
-    int stations = 2;     ///< of the scanner, each day
+    int stations = 2; ///< of the scanner, each day
     int units = 12;
     int phases = 1;       ///< spreads of ground between natural and topsoil
     double natural = 0.0; ///< mean height of the natural's top
     double last = 0.0;    ///< mean height of what lies below the topsoil
     double table_step = 0.025;
-    double cell = 0.02;   ///< of the columns on which truth is counted
+    double cell = 0.02; ///< of the columns on which truth is counted
     int scan_columns = 720;
     int scan_rows = 180;
 };

@@ -21,9 +21,9 @@ struct FormationEvent {
     Type type = Type::Deposit;
     UnitNo unit = 0;
     Bounds bounds;
-    HeightTable top;         ///< deposit: everything empty below it becomes this unit
-    UnitNo within = kAir;    ///< deposit: only what that cut had emptied; structure: where its footing may be
-    double side_x = 0.0;     ///< deposit: only where side * (x - side_x) > 0, unless side is 0
+    HeightTable top;      ///< deposit: everything empty below it becomes this unit
+    UnitNo within = kAir; ///< deposit: only what that cut had emptied; structure: where its footing may be
+    double side_x = 0.0;  ///< deposit: only where side * (x - side_x) > 0, unless side is 0
     int side = 0;
     CutShape cut;
     WallShape wall;
@@ -35,12 +35,12 @@ struct FormedUnit {
     model::UnitKind kind = model::UnitKind::Deposit;
     model::UnitForm form = model::UnitForm::Layer;
     std::string title;
-    int phase = 0;           ///< 0 = earliest
-    int feature = -1;        ///< units of one pit, wall or post-hole share it
-    UnitNo cut = kAir;       ///< of a fill: its cut
-    UnitNo twin = kAir;      ///< the unit it is same_as
-    UnitNo bonded = kAir;    ///< the wall it was built with
-    bool thin = false;       ///< a floor
+    int phase = 0;        ///< 0 = earliest
+    int feature = -1;     ///< units of one pit, wall or post-hole share it
+    UnitNo cut = kAir;    ///< of a fill: its cut
+    UnitNo twin = kAir;   ///< the unit it is same_as
+    UnitNo bonded = kAir; ///< the wall it was built with
+    bool thin = false;    ///< a floor
 };
 
 /// What is at a point: the unit, and the last cut that had emptied the point before.
@@ -61,8 +61,11 @@ class Formation {
     [[nodiscard]] Body body_at(const Vec3& p) const noexcept;
 
     [[nodiscard]] const std::vector<FormedUnit>& units() const noexcept { return units_; }
+
     [[nodiscard]] std::vector<FormedUnit>& units() noexcept { return units_; }
+
     [[nodiscard]] const std::vector<FormationEvent>& events() const noexcept { return events_; }
+
     /// The box inside which body_at() is meaningful [m].
     [[nodiscard]] const Bounds& extent() const noexcept { return extent_; }
 

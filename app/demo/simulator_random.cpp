@@ -23,15 +23,14 @@ double corner(std::uint64_t key, std::int64_t x, std::int64_t y) noexcept {
 
 double plane(std::uint64_t key, const Lattice& x, const Lattice& y) noexcept {
     const double low = corner(key, x.cell, y.cell) * (1.0 - x.blend) + corner(key, x.cell + 1, y.cell) * x.blend;
-    const double high = corner(key, x.cell, y.cell + 1) * (1.0 - x.blend) + corner(key, x.cell + 1, y.cell + 1) * x.blend;
+    const double high =
+        corner(key, x.cell, y.cell + 1) * (1.0 - x.blend) + corner(key, x.cell + 1, y.cell + 1) * x.blend;
     return low * (1.0 - y.blend) + high * y.blend;
 }
 
 } // namespace
 
-double noise(std::uint64_t seed, double x, double y) noexcept {
-    return plane(mix(seed), lattice(x), lattice(y));
-}
+double noise(std::uint64_t seed, double x, double y) noexcept { return plane(mix(seed), lattice(x), lattice(y)); }
 
 double noise(std::uint64_t seed, double x, double y, double z) noexcept {
     const Lattice lx = lattice(x);

@@ -35,13 +35,15 @@ std::vector<int> solids_along(const std::vector<Solid>& solids, const Vec3& from
     std::vector<int> near;
     for (std::size_t i = 0; i < solids.size(); ++i) {
         const Solid& solid = solids[i];
-        const double radius = solid.type == Solid::Type::Box ? std::hypot(solid.half.x, solid.half.y) : std::max(solid.half.x, solid.half.y);
+        const double radius = solid.type == Solid::Type::Box ? std::hypot(solid.half.x, solid.half.y)
+                                                             : std::max(solid.half.x, solid.half.y);
         const double dx = solid.centre.x - from.x;
         const double dy = solid.centre.y - from.y;
         const double far = std::hypot(dx, dy);
         const double off = std::abs(std::remainder(std::atan2(dy, dx) - azimuth, 2.0 * std::numbers::pi));
         // Half a degree of tilt moves a steep beam by up to a degree.
-        if (far < radius * 1.5 || off < std::asin(std::min(1.0, radius / far)) + 0.03) near.push_back(static_cast<int>(i));
+        if (far < radius * 1.5 || off < std::asin(std::min(1.0, radius / far)) + 0.03)
+            near.push_back(static_cast<int>(i));
     }
     return near;
 }
@@ -105,7 +107,8 @@ double other_range(const Geometry& g, int column, int row) {
 double incidence(const ScanImage& image, const Geometry& g, int column, int row) {
     const auto point = [&](int c, int r) {
         const Hit& hit = g.at(c, r);
-        return (hit.what == kNothing ? g.at(column, row).range : hit.range) * image.direction_in_scan((c + g.columns) % g.columns, std::clamp(r, 0, g.rows - 1));
+        return (hit.what == kNothing ? g.at(column, row).range : hit.range) *
+               image.direction_in_scan((c + g.columns) % g.columns, std::clamp(r, 0, g.rows - 1));
     };
     const Vec3 across = point(column + 1, row) - point(column - 1, row);
     const Vec3 along = point(column, row + 1) - point(column, row - 1);
@@ -131,14 +134,21 @@ ScannerPose set_up(const Vec3& origin, Draw& draw) {
     const double ay = std::sin(towards);
     const double c = std::cos(tilt);
     const double s = std::sin(tilt);
-    const std::array<double, 9> lean = {c + ax * ax * (1 - c), ax * ay * (1 - c), ay * s,
-                                        ax * ay * (1 - c), c + ay * ay * (1 - c), -ax * s,
-                                        -ay * s, ax * s, c};
+    const std::array<double, 9> lean = {c + ax * ax * (1 - c),
+                                        ax * ay * (1 - c),
+                                        ay * s,
+                                        ax * ay * (1 - c),
+                                        c + ay * ay * (1 - c),
+                                        -ax * s,
+                                        -ay * s,
+                                        ax * s,
+                                        c};
     const std::array<double, 9> heading = {std::cos(yaw), -std::sin(yaw), 0, std::sin(yaw), std::cos(yaw), 0, 0, 0, 1};
     ScannerPose pose;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
-            pose.rotation[i * 3 + j] = lean[i * 3] * heading[j] + lean[i * 3 + 1] * heading[3 + j] + lean[i * 3 + 2] * heading[6 + j];
+            pose.rotation[i * 3 + j] =
+                lean[i * 3] * heading[j] + lean[i * 3 + 1] * heading[3 + j] + lean[i * 3 + 2] * heading[6 + j];
         }
     }
     pose.origin = origin;
@@ -149,7 +159,8 @@ ScannerPose set_up(const Vec3& origin, Draw& draw) {
 
 Vec3 ScannerPose::turn(const Vec3& d) const noexcept {
     const auto& r = rotation;
-    return {r[0] * d.x + r[1] * d.y + r[2] * d.z, r[3] * d.x + r[4] * d.y + r[5] * d.z, r[6] * d.x + r[7] * d.y + r[8] * d.z};
+    return {r[0] * d.x + r[1] * d.y + r[2] * d.z, r[3] * d.x + r[4] * d.y + r[5] * d.z,
+            r[6] * d.x + r[7] * d.y + r[8] * d.z};
 }
 
 Vec3 ScannerPose::to_site(const Vec3& x_in_scan) const noexcept { return turn(x_in_scan) + origin; }
@@ -157,7 +168,8 @@ Vec3 ScannerPose::to_site(const Vec3& x_in_scan) const noexcept { return turn(x_
 Vec3 ScannerPose::to_scan(const Vec3& x_in_site) const noexcept {
     const Vec3 d = x_in_site - origin;
     const auto& r = rotation;
-    return {r[0] * d.x + r[3] * d.y + r[6] * d.z, r[1] * d.x + r[4] * d.y + r[7] * d.z, r[2] * d.x + r[5] * d.y + r[8] * d.z};
+    return {r[0] * d.x + r[3] * d.y + r[6] * d.z, r[1] * d.x + r[4] * d.y + r[7] * d.z,
+            r[2] * d.x + r[5] * d.y + r[8] * d.z};
 }
 
 Vec3 ScanImage::direction_in_scan(int column, int row) const noexcept {
@@ -209,7 +221,8 @@ ScanImage scan(const Surroundings& around, const SiteShape& site, const Station&
         const std::vector<int> near = solids_along(solids, from, std::atan2(level.y, level.x));
         for (std::size_t row = 0; row < rows; ++row) {
             const std::size_t i = column * rows + row;
-            const Vec3 direction = station.pose.turn(image.direction_in_scan(static_cast<int>(column), static_cast<int>(row)));
+            const Vec3 direction =
+                station.pose.turn(image.direction_in_scan(static_cast<int>(column), static_cast<int>(row)));
             geometry.hits[i] = trace(around, solids, near, from, direction, mix(station.key, i));
         }
     });
@@ -223,7 +236,9 @@ ScanImage scan(const Surroundings& around, const SiteShape& site, const Station&
         }
     }
     for (const Hit& hit : geometry.hits) image.count += hit.what != kNothing ? 1 : 0;
-    const double mixing = std::clamp(kMixedShare * static_cast<double>(image.count) / static_cast<double>(std::max<std::int64_t>(edge_count, 1)), 0.25, 1.0);
+    const double mixing = std::clamp(kMixedShare * static_cast<double>(image.count) /
+                                         static_cast<double>(std::max<std::int64_t>(edge_count, 1)),
+                                     0.25, 1.0);
     image.returns.resize(geometry.hits.size());
     for_each_index(static_cast<std::size_t>(image.columns), progress, [&](std::size_t column) {
         for (std::size_t row = 0; row < rows; ++row) {
@@ -232,8 +247,10 @@ ScanImage scan(const Surroundings& around, const SiteShape& site, const Station&
             if (hit.what == kNothing) continue;
             const std::uint64_t key = mix(mix(station.key, 3), i);
             Return& back = image.returns[i];
-            const Vec3 p = from + hit.range * station.pose.turn(image.direction_in_scan(static_cast<int>(column), static_cast<int>(row)));
-            const double look = hit.what == kGround ? around.ground_look(p) : solids[static_cast<std::size_t>(hit.what)].look_at(p);
+            const Vec3 p = from + hit.range * station.pose.turn(image.direction_in_scan(static_cast<int>(column),
+                                                                                        static_cast<int>(row)));
+            const double look =
+                hit.what == kGround ? around.ground_look(p) : solids[static_cast<std::size_t>(hit.what)].look_at(p);
             const double cosine = incidence(image, geometry, static_cast<int>(column), static_cast<int>(row));
             back.true_range = static_cast<float>(hit.range);
             back.intensity = static_cast<float>(intensity_of(look, hit.range, cosine, key));
@@ -272,8 +289,10 @@ std::vector<MeasuredMarker> measure_markers(const Surroundings& around, const St
             if (distance < kNear || distance > kFar || (only_visible && !visible(marker.x_in_site, distance))) continue;
             const Vec3 x = station.pose.to_scan(marker.x_in_site);
             const std::uint64_t key = mix(mix(station.key, 4), i);
-            measured.push_back({marker.name, {x.x + kMarkerNoise * normal_of(mix(key, 1)), x.y + kMarkerNoise * normal_of(mix(key, 2)),
-                                              x.z + kMarkerNoise * normal_of(mix(key, 3))}});
+            measured.push_back(
+                {marker.name,
+                 {x.x + kMarkerNoise * normal_of(mix(key, 1)), x.y + kMarkerNoise * normal_of(mix(key, 2)),
+                  x.z + kMarkerNoise * normal_of(mix(key, 3))}});
         }
         if (measured.size() >= 5) break;
     }

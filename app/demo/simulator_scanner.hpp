@@ -33,7 +33,7 @@ struct Station {
 
 /// One return; range 0 where nothing came back.
 struct Return {
-    float range = 0.0F;     ///< [m], as measured
+    float range = 0.0F; ///< [m], as measured
     float true_range = 0.0F;
     float intensity = 0.5F; ///< 0…1
     bool mixed = false;     ///< the beam hit two things
@@ -58,6 +58,7 @@ class Surroundings {
                  SurfaceNo surface, const Scene& scene);
 
     [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
+
     /// Is there earth or stone at the point, inside the trench's rectangle?
     [[nodiscard]] bool solid(const Vec3& p) const noexcept;
     /// Distance to the ground of the trench or around it; 0: none within reach.
@@ -74,7 +75,7 @@ class Surroundings {
     const DigPlan& plan_;
     SurfaceNo surface_;
     const Scene& scene_;
-    double top_ = 0.0;        ///< nothing of the trench is above [m, site]
+    double top_ = 0.0; ///< nothing of the trench is above [m, site]
     std::size_t nx_ = 0;
     std::size_t ny_ = 0;
     std::size_t nz_ = 0;
@@ -84,7 +85,8 @@ class Surroundings {
 /// The stations of one day.
 [[nodiscard]] std::vector<Station> stations_of(const DigPlan& plan, SurfaceNo surface);
 
-[[nodiscard]] ScanImage scan(const Surroundings& around, const SiteShape& site, const Station& station, Progress& progress);
+[[nodiscard]] ScanImage scan(const Surroundings& around, const SiteShape& site, const Station& station,
+                             Progress& progress);
 
 /// A marker as that station measured it.
 struct MeasuredMarker {

@@ -16,9 +16,9 @@ namespace {
 using Look = Solid::Look;
 using Type = Solid::Type;
 
-constexpr double kReach = 55.0;      ///< how far the ground is known around the trench [m]
-constexpr double kLoosened = 1.25;   ///< dug earth takes more room
-constexpr double kRepose = 0.65;     ///< slope of the spoil heap
+constexpr double kReach = 55.0;    ///< how far the ground is known around the trench [m]
+constexpr double kLoosened = 1.25; ///< dug earth takes more room
+constexpr double kRepose = 0.65;   ///< slope of the spoil heap
 
 Solid solid(Type type, Look look, Vec3 centre, Vec3 half, double yaw, double brightness, std::uint64_t key) {
     return {type, look, centre, half, std::cos(yaw), std::sin(yaw), brightness, key};
@@ -35,7 +35,8 @@ class SceneBuilder {
             const double angle = 2.0 * std::numbers::pi * (i + draw_.between(-0.25, 0.25)) / count;
             const double far = reach() + draw_.between(16.0, 26.0);
             const Vec3 half{draw_.between(4.0, 8.0), draw_.between(3.0, 5.0), draw_.between(2.8, 5.5)};
-            put(Type::Box, draw_.chance(0.5) ? Look::Windows : Look::Bricks, angle, far, half, draw_.between(0.0, 3.0), 0.55);
+            put(Type::Box, draw_.chance(0.5) ? Look::Windows : Look::Bricks, angle, far, half, draw_.between(0.0, 3.0),
+                0.55);
         }
     }
 
@@ -58,7 +59,8 @@ class SceneBuilder {
                 const double ground = ground_at(x, y);
                 solids.push_back(solid(Type::Box, Look::Boards, {x, y, ground + 1.0}, {1.15, 0.02, 0.85}, yaw,
                                        draw_.between(0.45, 0.65), draw_.next()));
-                solids.push_back(solid(Type::Box, Look::Bark, {x - 1.25 * std::cos(yaw), y - 1.25 * std::sin(yaw), ground + 1.0},
+                solids.push_back(solid(Type::Box, Look::Bark,
+                                       {x - 1.25 * std::cos(yaw), y - 1.25 * std::sin(yaw), ground + 1.0},
                                        {0.05, 0.05, 1.1}, 0.0, 0.35, draw_.next()));
             }
         }
@@ -74,11 +76,13 @@ class SceneBuilder {
             const double ground = ground_at(x, y);
             const double trunk = draw_.between(1.2, 2.0);
             const double radius = draw_.between(0.14, 0.3);
-            solids.push_back(solid(Type::Cylinder, Look::Bark, {x, y, ground + trunk}, {radius, radius, trunk}, 0.0, 0.3, draw_.next()));
+            solids.push_back(solid(Type::Cylinder, Look::Bark, {x, y, ground + trunk}, {radius, radius, trunk}, 0.0,
+                                   0.3, draw_.next()));
             for (int c = 0; c < 3; ++c) {
                 const double r = draw_.between(1.0, 1.9);
                 solids.push_back(solid(Type::Ellipsoid, Look::Leaves,
-                                       {x + draw_.between(-0.8, 0.8), y + draw_.between(-0.8, 0.8), ground + 2.0 * trunk + draw_.between(0.2, 1.4)},
+                                       {x + draw_.between(-0.8, 0.8), y + draw_.between(-0.8, 0.8),
+                                        ground + 2.0 * trunk + draw_.between(0.2, 1.4)},
                                        {r, r, 0.8 * r}, 0.0, 0.5, draw_.next()));
             }
         }
@@ -89,7 +93,8 @@ class SceneBuilder {
             const double angle = draw_.between(0.0, 6.28);
             const double size = draw_.between(0.15, 0.5);
             put(Type::Box, draw_.chance(0.5) ? Look::Boards : Look::Plain, angle, reach() + draw_.between(3.0, 8.0),
-                {size * draw_.between(0.6, 2.0), size, size * draw_.between(0.5, 1.2)}, draw_.between(0.0, 3.0), draw_.between(0.2, 0.8));
+                {size * draw_.between(0.6, 2.0), size, size * draw_.between(0.5, 1.2)}, draw_.between(0.0, 3.0),
+                draw_.between(0.2, 0.8));
         }
     }
 
@@ -104,7 +109,8 @@ class SceneBuilder {
             const double y = middle_y() + (ry + draw_.between(0.0, 1.2)) * std::sin(angle) * 1.15;
             const double height = draw_.between(0.9, 1.9);
             const double ground = ground_at(x, y);
-            solids.push_back(solid(Type::Cylinder, Look::Plain, {x, y, ground + 0.5 * height}, {0.02, 0.02, 0.5 * height}, 0.0, 0.6, draw_.next()));
+            solids.push_back(solid(Type::Cylinder, Look::Plain, {x, y, ground + 0.5 * height},
+                                   {0.02, 0.02, 0.5 * height}, 0.0, 0.6, draw_.next()));
             const Vec3 ball{round_to_tenth_mm(x), round_to_tenth_mm(y), round_to_tenth_mm(ground + height + 0.07)};
             solids.push_back(solid(Type::Ellipsoid, Look::Target, ball, {0.07, 0.07, 0.07}, 0.0, 0.95, draw_.next()));
             markers.push_back({fmt::format("M{}", i + 1), ball});
@@ -115,17 +121,22 @@ class SceneBuilder {
 
   private:
     static double round_to_tenth_mm(double x) { return std::round(x * 1e4) * 1e-4; }
+
     [[nodiscard]] double middle_x() const { return 0.5 * (site_.trench.low.x + site_.trench.high.x); }
+
     [[nodiscard]] double middle_y() const { return 0.5 * (site_.trench.low.y + site_.trench.high.y); }
+
     [[nodiscard]] double reach() const {
         return 0.5 * std::max(site_.trench.high.x - site_.trench.low.x, site_.trench.high.y - site_.trench.low.y);
     }
+
     [[nodiscard]] double ground_at(double x, double y) const { return turf_height(site_, seed_, x, y); }
 
     void put(Type type, Look look, double angle, double far, Vec3 half, double yaw, double brightness) {
         const double x = middle_x() + far * std::cos(angle);
         const double y = middle_y() + far * std::sin(angle);
-        solids.push_back(solid(type, look, {x, y, ground_at(x, y) + half.z - 0.1}, half, yaw, brightness, draw_.next()));
+        solids.push_back(
+            solid(type, look, {x, y, ground_at(x, y) + half.z - 0.1}, half, yaw, brightness, draw_.next()));
     }
 
     const SiteShape& site_;
@@ -142,12 +153,14 @@ HeightTable terrain_with_spoil(const SiteShape& site, std::uint64_t seed, double
     const double x0 = 0.5 * (site.trench.low.x + site.trench.high.x);
     // Volume of a ridge with round ends: width² ∙ slope ∙ length + cone.
     double height = 0.0;
-    while (height < 6.0 && height * height / kRepose * (2.0 * half_ridge + 1.05 * height / kRepose) < volume) height += 0.01;
+    while (height < 6.0 && height * height / kRepose * (2.0 * half_ridge + 1.05 * height / kRepose) < volume)
+        height += 0.01;
     const double y0 = site.trench.low.y - 4.2 - height / kRepose;
     terrain.fill([&](double x, double y) {
         const double beyond = std::max(0.0, std::abs(x - x0) - half_ridge);
         const double away = std::hypot(beyond, y - y0);
-        const double rough = 0.12 * noise(mix(seed, 61), x / 0.9, y / 0.9) + 0.05 * noise(mix(seed, 62), x / 0.3, y / 0.3);
+        const double rough =
+            0.12 * noise(mix(seed, 61), x / 0.9, y / 0.9) + 0.05 * noise(mix(seed, 62), x / 0.3, y / 0.3);
         const double heap = height - kRepose * away + rough * std::min(1.0, height);
         return turf_height(site, seed, x, y) + std::max(0.0, heap);
     });
@@ -158,11 +171,14 @@ void add_person(std::vector<Solid>& solids, const Vec3& feet, Draw& draw) {
     const double tall = draw.between(0.8, 0.95);
     const double yaw = draw.between(0.0, 6.28);
     for (const double side : {-0.11, 0.11}) {
-        solids.push_back(solid(Type::Cylinder, Look::Cloth, {feet.x + side * std::cos(yaw), feet.y + side * std::sin(yaw), feet.z + 0.45},
+        solids.push_back(solid(Type::Cylinder, Look::Cloth,
+                               {feet.x + side * std::cos(yaw), feet.y + side * std::sin(yaw), feet.z + 0.45},
                                {0.08, 0.08, 0.45}, 0.0, 0.25, draw.next()));
     }
-    solids.push_back(solid(Type::Ellipsoid, Look::Cloth, {feet.x, feet.y, feet.z + 0.9 + 0.3 * tall}, {0.24, 0.16, 0.36}, yaw, 0.6, draw.next()));
-    solids.push_back(solid(Type::Ellipsoid, Look::Plain, {feet.x, feet.y, feet.z + 0.9 + 0.85 * tall}, {0.1, 0.1, 0.13}, yaw, 0.7, draw.next()));
+    solids.push_back(solid(Type::Ellipsoid, Look::Cloth, {feet.x, feet.y, feet.z + 0.9 + 0.3 * tall},
+                           {0.24, 0.16, 0.36}, yaw, 0.6, draw.next()));
+    solids.push_back(solid(Type::Ellipsoid, Look::Plain, {feet.x, feet.y, feet.z + 0.9 + 0.85 * tall}, {0.1, 0.1, 0.13},
+                           yaw, 0.7, draw.next()));
 }
 
 } // namespace
@@ -203,7 +219,8 @@ std::vector<Solid> passers_by(const SiteShape& site, const Scene& scene, std::ui
         const double ground = scene.terrain.at(x, y);
         const double yaw = draw.between(0.0, 3.14);
         solids.push_back(solid(Type::Box, Look::Plain, {x, y, ground + 0.45}, {1.8, 0.9, 0.45}, yaw, 0.3, draw.next()));
-        solids.push_back(solid(Type::Box, Look::Windows, {x, y, ground + 1.45}, {1.1, 0.85, 0.6}, yaw, 0.7, draw.next()));
+        solids.push_back(
+            solid(Type::Box, Look::Windows, {x, y, ground + 1.45}, {1.1, 0.85, 0.6}, yaw, 0.7, draw.next()));
     }
     return solids;
 }

@@ -40,8 +40,8 @@ struct Marker {
 struct Scene {
     std::vector<Solid> standing; ///< fence, hut, container, houses, trees, marker poles: the same every day
     std::vector<Marker> markers;
-    HeightTable terrain;         ///< turf and spoil heap of the day
-    double spoil_volume = 0.0;   ///< [m³]
+    HeightTable terrain;       ///< turf and spoil heap of the day
+    double spoil_volume = 0.0; ///< [m³]
 };
 
 /// `dug` is what was taken out up to that day [m³]; it lies on the spoil heap, loosened.

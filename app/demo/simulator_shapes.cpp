@@ -17,7 +17,7 @@ struct Local {
     double across;
 };
 
-template <class Shape>
+template<class Shape>
 Local local_of(const Shape& shape, const Vec3& p) noexcept {
     const double dx = p.x - shape.x;
     const double dy = p.y - shape.y;
@@ -64,9 +64,7 @@ double HeightTable::highest() const noexcept {
     return heights_.empty() ? 0.0 : static_cast<double>(*std::max_element(heights_.begin(), heights_.end()));
 }
 
-Bounds HeightTable::extent() const noexcept {
-    return {{x0_, y0_, 0.0}, {x_of(columns_ - 1), y_of(rows_ - 1), 0.0}};
-}
+Bounds HeightTable::extent() const noexcept { return {{x0_, y0_, 0.0}, {x_of(columns_ - 1), y_of(rows_ - 1), 0.0}}; }
 
 double CutShape::half_width(double z) const noexcept {
     const double depth = std::clamp((mouth - z) / (mouth - base), 0.0, 1.0);
@@ -88,7 +86,8 @@ bool CutShape::contains(const Vec3& p) const noexcept {
     if (r < 1e-9) return true;
     const double c = a / r;
     const double s = at.across / r;
-    const double outline = 1.0 + wobble[0] * (c * c - s * s) + wobble[1] * 2.0 * s * c + wobble[2] * c * (4.0 * c * c - 3.0);
+    const double outline =
+        1.0 + wobble[0] * (c * c - s * s) + wobble[1] * 2.0 * s * c + wobble[2] * c * (4.0 * c * c - 3.0);
     return r < half * outline;
 }
 

@@ -17,9 +17,16 @@ struct Vec3 {
     friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-[[nodiscard]] constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-[[nodiscard]] constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+[[nodiscard]] constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+[[nodiscard]] constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
 [[nodiscard]] constexpr Vec3 operator*(double s, const Vec3& a) noexcept { return {s * a.x, s * a.y, s * a.z}; }
+
 [[nodiscard]] constexpr double dot(const Vec3& a, const Vec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// An upright box, both ends included [m].
@@ -42,17 +49,25 @@ class HeightTable {
     [[nodiscard]] double at(double x, double y) const noexcept;
 
     [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+
     [[nodiscard]] double x_of(std::size_t column) const noexcept { return x0_ + static_cast<double>(column) * step_; }
+
     [[nodiscard]] double y_of(std::size_t row) const noexcept { return y0_ + static_cast<double>(row) * step_; }
-    [[nodiscard]] float& node(std::size_t column, std::size_t row) noexcept { return heights_[row * columns_ + column]; }
+
+    [[nodiscard]] float& node(std::size_t column, std::size_t row) noexcept {
+        return heights_[row * columns_ + column];
+    }
+
     [[nodiscard]] double node(std::size_t column, std::size_t row) const noexcept {
         return static_cast<double>(heights_[row * columns_ + column]);
     }
+
     [[nodiscard]] double highest() const noexcept;
     [[nodiscard]] Bounds extent() const noexcept;
 
-    template <class HeightOf> // double(x, y)
+    template<class HeightOf> // double(x, y)
     void fill(HeightOf height_of) {
         for (std::size_t row = 0; row < rows_; ++row) {
             for (std::size_t column = 0; column < columns_; ++column) {
@@ -84,11 +99,11 @@ struct CutShape {
     double y = 0.0;
     double axis_x = 1.0; ///< unit vector along the long side
     double axis_y = 0.0;
-    double aspect = 1.0;      ///< round: length over width
-    double half_length = 0.0; ///< linear [m]
-    double radius = 0.5;      ///< widest half width [m]
-    double mouth = 0.0;       ///< height of the rim in the middle [m]
-    double base = 0.0;        ///< height of the bottom [m]
+    double aspect = 1.0;            ///< round: length over width
+    double half_length = 0.0;       ///< linear [m]
+    double radius = 0.5;            ///< widest half width [m]
+    double mouth = 0.0;             ///< height of the rim in the middle [m]
+    double base = 0.0;              ///< height of the bottom [m]
     std::array<double, 3> wobble{}; ///< of the outline, as shares of the radius
 
     [[nodiscard]] bool contains(const Vec3& p) const noexcept;

@@ -51,11 +51,13 @@ double in_tile(double u, double du) noexcept { return u / du - std::floor(u / du
 std::optional<double> Solid::hit(const Vec3& from, const Vec3& direction) const noexcept {
     const Vec3 relative = from - centre;
     const Vec3 o{relative.x * cos_yaw + relative.y * sin_yaw, relative.y * cos_yaw - relative.x * sin_yaw, relative.z};
-    const Vec3 d{direction.x * cos_yaw + direction.y * sin_yaw, direction.y * cos_yaw - direction.x * sin_yaw, direction.z};
+    const Vec3 d{direction.x * cos_yaw + direction.y * sin_yaw, direction.y * cos_yaw - direction.x * sin_yaw,
+                 direction.z};
     switch (type) {
     case Type::Box: return box(half, o, d);
     case Type::Cylinder: {
-        const auto t = front_root(d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y, o.x * o.x + o.y * o.y - half.x * half.x);
+        const auto t =
+            front_root(d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y, o.x * o.x + o.y * o.y - half.x * half.x);
         if (!t || std::abs(o.z + *t * d.z) > half.z) return std::nullopt;
         return t;
     }
@@ -77,13 +79,16 @@ double Solid::look_at(const Vec3& p) const noexcept {
     const double grain = 0.06 * noise(key, p.x * 8.0, p.y * 8.0, p.z * 8.0);
     switch (look) {
     case Look::Plain: return brightness + grain + 0.15 * noise(mix(key, 1), p.x * 2.0, p.y * 2.0, p.z * 2.0);
-    case Look::Boards: return brightness * (0.7 + 0.6 * tiles(key, u, 0.0, 0.14, 1.0)) + grain - (in_tile(u, 0.14) < 0.12 ? 0.25 : 0.0);
+    case Look::Boards:
+        return brightness * (0.7 + 0.6 * tiles(key, u, 0.0, 0.14, 1.0)) + grain -
+               (in_tile(u, 0.14) < 0.12 ? 0.25 : 0.0);
     case Look::Bricks: {
         const bool joint = in_tile(r.z, 0.25) < 0.1;
         return joint ? 0.75 : brightness * (0.6 + 0.7 * tiles(key, u, r.z, 0.5, 0.25)) + grain;
     }
     case Look::Windows: {
-        const bool pane = in_tile(u, 1.7) > 0.35 && in_tile(u, 1.7) < 0.85 && in_tile(r.z, 2.1) > 0.3 && in_tile(r.z, 2.1) < 0.8;
+        const bool pane =
+            in_tile(u, 1.7) > 0.35 && in_tile(u, 1.7) < 0.85 && in_tile(r.z, 2.1) > 0.3 && in_tile(r.z, 2.1) < 0.8;
         const bool lit = tiles(key, u, r.z, 1.7, 2.1) > 0.6;
         return pane ? (lit ? 0.3 : 0.12) : brightness + grain + 0.12 * noise(mix(key, 2), u, r.z);
     }

@@ -71,7 +71,8 @@ void Surroundings::mark_cells(const ColumnGrid& grid, const DugGrid& dug) {
             if (run.gone > surface_) mark(x, y, static_cast<double>(run.low), static_cast<double>(run.high));
         }
         const Slump& slump = plan_.slump;
-        if (slump.fell && slump.surface == surface_ && std::hypot((x - slump.x) / slump.half_x, (y - slump.y) / slump.half_y) < 1.1) {
+        if (slump.fell && slump.surface == surface_ &&
+            std::hypot((x - slump.x) / slump.half_x, (y - slump.y) / slump.half_y) < 1.1) {
             mark(x, y, slump.floor, slump.floor + slump.height);
         }
     }
@@ -120,8 +121,9 @@ double Surroundings::trench_hit(const Vec3& from, const Vec3& direction, double 
                 if (std::abs(along) < 1e-12) return 1e9;
                 return ((along > 0.0 ? index + 1.0 : index) - at) * kCell / along;
             };
-            const double step = std::min({leave(u, static_cast<double>(i), direction.x), leave(v, static_cast<double>(j), direction.y),
-                                          leave(w, static_cast<double>(k), direction.z)});
+            const double step =
+                std::min({leave(u, static_cast<double>(i), direction.x), leave(v, static_cast<double>(j), direction.y),
+                          leave(w, static_cast<double>(k), direction.z)});
             t_now += std::max(step, 0.0) + 1e-6;
             t_free = t_now;
             continue;

@@ -32,7 +32,8 @@ class Trench {
         const double height = random_.between(90.0, 110.0);
         for (int y = 0; y < kHigh; ++y) {
             for (int x = 0; x < kWide; ++x) {
-                column(x, y).push_back({natural, height + kCell * (slope_x * x + slope_y * y) + 0.01 * random_.normal()});
+                column(x, y).push_back(
+                    {natural, height + kCell * (slope_x * x + slope_y * y) + 0.01 * random_.normal()});
             }
         }
     }
@@ -79,7 +80,9 @@ class Trench {
         double depth; // 1 in the middle, 0 at the edge
     };
 
-    std::vector<Entry>& column(int x, int y) { return columns_[static_cast<std::size_t>(y) * kWide + static_cast<std::size_t>(x)]; }
+    std::vector<Entry>& column(int x, int y) {
+        return columns_[static_cast<std::size_t>(y) * kWide + static_cast<std::size_t>(x)];
+    }
 
     std::uint32_t add_unit(UnitKind kind, UnitForm form) {
         units_.push_back({kind, form, static_cast<double>(units_.size()), {}});
@@ -105,7 +108,8 @@ class Trench {
             }
         }
         if (spots.empty()) {
-            spots.push_back({std::min(static_cast<int>(mx), kWide - 1), std::min(static_cast<int>(my), kHigh - 1), 1.0});
+            spots.push_back(
+                {std::min(static_cast<int>(mx), kWide - 1), std::min(static_cast<int>(my), kHigh - 1), 1.0});
         }
         return spots;
     }
@@ -188,7 +192,8 @@ class Trench {
         const std::uint32_t pit = cut(spots, depth);
         const std::size_t fills = 1 + (random_.chance(0.45) ? 1U : 0U) + (random_.chance(0.2) ? 1U : 0U);
         for (std::size_t i = 0; i < fills; ++i) {
-            fill(pit, spots, depth / static_cast<double>(fills) * random_.between(0.8, 1.0), UnitKind::Deposit, UnitForm::Fill);
+            fill(pit, spots, depth / static_cast<double>(fills) * random_.between(0.8, 1.0), UnitKind::Deposit,
+                 UnitForm::Fill);
         }
     }
 
@@ -203,7 +208,8 @@ class Trench {
     }
 
     void build() {
-        const std::uint32_t wall = add_unit(UnitKind::Structure, random_.chance(0.8) ? UnitForm::Masonry : UnitForm::Timber);
+        const std::uint32_t wall =
+            add_unit(UnitKind::Structure, random_.chance(0.8) ? UnitForm::Masonry : UnitForm::Timber);
         const bool along_x = random_.chance(0.5);
         const int length = 4 + static_cast<int>(random_.below(8));
         int x = static_cast<int>(random_.below(kWide));
@@ -229,7 +235,8 @@ class Trench {
         }
         for (const auto& [key, cells] : contacts_) {
             const auto& [later, earlier, kind] = key;
-            if (kept[later] != 0 && kept[earlier] != 0) history.contacts.push_back({place[later], place[earlier], kind, cells});
+            if (kept[later] != 0 && kept[earlier] != 0)
+                history.contacts.push_back({place[later], place[earlier], kind, cells});
         }
         std::sort(history.contacts.begin(), history.contacts.end());
         return history;

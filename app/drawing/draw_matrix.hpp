@@ -12,15 +12,15 @@ namespace planum::app {
 
 /// What of a project's matrix is drawn. Empty strings: no such choice.
 struct DrawRequest {
-    std::string engine;         ///< `planum` or `graphviz`; empty: the default
+    std::string engine; ///< `planum` or `graphviz`; empty: the default
     std::string interpretation;
     std::string area;
-    std::string around;         ///< a unit
+    std::string around; ///< a unit
     int around_steps = 2;
-    std::string fold;           ///< `phases`, `periods` or `groups`
-    std::string since;          ///< ISO day: what was added or changed since is marked, the rest left out
-    bool problems_only = false; ///< units with errors or warnings about their relations
-    bool titles = false;        ///< short definitions below the numbers
+    std::string fold;                    ///< `phases`, `periods` or `groups`
+    std::string since;                   ///< ISO day: what was added or changed since is marked, the rest left out
+    bool problems_only = false;          ///< units with errors or warnings about their relations
+    bool titles = false;                 ///< short definitions below the numbers
     std::filesystem::path layout_worker; ///< program that runs Graphviz in a child; empty: our own
 };
 

@@ -26,26 +26,27 @@ class FieldMerge {
         settle(field, kept, offered, kept.empty(), kept, offered);
     }
 
-    template <class T>
+    template<class T>
     void optional(const std::string& field, std::optional<T>& kept, const std::optional<T>& offered) {
         if (!offered || kept == offered) return;
-        settle(field, kept, offered, !kept.has_value(), kept ? fmt::format("{}", *kept) : "", fmt::format("{}", *offered));
+        settle(field, kept, offered, !kept.has_value(), kept ? fmt::format("{}", *kept) : "",
+               fmt::format("{}", *offered));
     }
 
-    template <class Tag>
+    template<class Tag>
     void id(const std::string& field, Id<Tag>& kept, const Id<Tag>& offered) {
         if (offered.is_nil() || kept == offered) return;
         settle(field, kept, offered, kept.is_nil(), kept.to_string(), offered.to_string());
     }
 
-    template <class Enum>
+    template<class Enum>
     void choice(const std::string& field, Enum& kept, Enum offered, Enum empty) {
         if (offered == empty || kept == offered) return;
         settle(field, kept, offered, kept == empty, std::string(to_word(kept)), std::string(to_word(offered)));
     }
 
   private:
-    template <class T>
+    template<class T>
     void settle(const std::string& field, T& kept, const T& offered, bool was_empty, const std::string& kept_text,
                 const std::string& offered_text) {
         if (!was_empty) conflicts_.push_back({what_, field, kept_text, offered_text, update_});

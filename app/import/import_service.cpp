@@ -28,9 +28,8 @@ std::vector<std::filesystem::path> expand(const std::vector<std::filesystem::pat
             if (entry.is_regular_file()) files.push_back(entry.path());
         }
     }
-    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
-        return text::natural_order(a.string(), b.string()) < 0;
-    });
+    std::sort(files.begin(), files.end(),
+              [](const auto& a, const auto& b) { return text::natural_order(a.string(), b.string()) < 0; });
     files.erase(std::unique(files.begin(), files.end()), files.end());
     if (files.empty()) throw Error(ErrorCode::Usage, "no file to import");
     return files;
@@ -72,18 +71,18 @@ ImportSet read_set(const std::vector<strat::InputFile>& inputs, const strat::Rea
     return set;
 }
 
-template <class T>
+template<class T>
 void insert_all(store::ProjectFile& file, const std::vector<T>& values) {
     for (const T& value : values) file.insert(value);
 }
 
-template <class T>
+template<class T>
 void update_all(store::ProjectFile& file, const std::vector<T>& values) {
     for (const T& value : values) file.update(value);
 }
 
 // Parents before children; a ring of parents (which no reader should make) goes in as it comes.
-template <class T>
+template<class T>
 void insert_parents_first(store::ProjectFile& file, const std::vector<T>& values) {
     std::set<decltype(T::id)> waiting;
     for (const T& value : values) waiting.insert(value.id);
@@ -118,9 +117,8 @@ ImportReport report_of(const MergePlan& plan) {
                         count(plan.new_groups) + count(plan.new_datings) + count(plan.new_levels) +
                         count(plan.new_finds) + count(plan.new_samples) + count(plan.new_documents);
     report.mentioned_units =
-        std::count_if(plan.new_units.begin(), plan.new_units.end(), [](const model::StratigraphicUnit& unit) {
-            return unit.origin == model::UnitOrigin::Mentioned;
-        });
+        std::count_if(plan.new_units.begin(), plan.new_units.end(),
+                      [](const model::StratigraphicUnit& unit) { return unit.origin == model::UnitOrigin::Mentioned; });
     report.conflicts = plan.conflicts;
     report.warnings = plan.warnings;
     report.changed = !plan.is_empty();
@@ -138,28 +136,28 @@ namespace {
 
 // Inside a change.
 void write_plan(store::ProjectFile& file, const MergePlan& plan) {
-        insert_all(file, plan.new_areas);
-        insert_all(file, plan.new_sources);
-        update_all(file, plan.changed_sources);
-        insert_all(file, plan.new_periods);
-        update_all(file, plan.changed_periods);
-        insert_all(file, plan.new_phases);
-        update_all(file, plan.changed_phases);
-        insert_parents_first(file, plan.new_units);
-        update_all(file, plan.changed_units);
-        insert_parents_first(file, plan.new_groups);
-        update_all(file, plan.changed_groups);
-        insert_all(file, plan.new_relations);
-        update_all(file, plan.changed_relations);
-        insert_all(file, plan.new_statements);
-        insert_all(file, plan.new_finds);
-        update_all(file, plan.changed_finds);
-        insert_all(file, plan.new_datings);
-        insert_all(file, plan.new_levels);
-        insert_all(file, plan.new_samples);
-        insert_all(file, plan.new_documents);
-        for (const model::ImportNoteId note : plan.gone_notes) file.remove(note);
-        insert_all(file, plan.new_notes);
+    insert_all(file, plan.new_areas);
+    insert_all(file, plan.new_sources);
+    update_all(file, plan.changed_sources);
+    insert_all(file, plan.new_periods);
+    update_all(file, plan.changed_periods);
+    insert_all(file, plan.new_phases);
+    update_all(file, plan.changed_phases);
+    insert_parents_first(file, plan.new_units);
+    update_all(file, plan.changed_units);
+    insert_parents_first(file, plan.new_groups);
+    update_all(file, plan.changed_groups);
+    insert_all(file, plan.new_relations);
+    update_all(file, plan.changed_relations);
+    insert_all(file, plan.new_statements);
+    insert_all(file, plan.new_finds);
+    update_all(file, plan.changed_finds);
+    insert_all(file, plan.new_datings);
+    insert_all(file, plan.new_levels);
+    insert_all(file, plan.new_samples);
+    insert_all(file, plan.new_documents);
+    for (const model::ImportNoteId note : plan.gone_notes) file.remove(note);
+    insert_all(file, plan.new_notes);
 }
 
 } // namespace

@@ -38,7 +38,7 @@ struct ImportReport {
     std::int64_t filled_units = 0;
     std::int64_t new_relations = 0;
     std::int64_t new_statements = 0;
-    std::int64_t new_others = 0; ///< areas, periods, phases, groups, datings, levels, finds, samples, documents
+    std::int64_t new_others = 0;      ///< areas, periods, phases, groups, datings, levels, finds, samples, documents
     std::int64_t mentioned_units = 0; ///< of the new units, those that no file has a sheet for
     std::vector<MergeConflict> conflicts;
     std::vector<std::string> warnings;

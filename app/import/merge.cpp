@@ -30,9 +30,7 @@ using Triple = std::tuple<model::UnitId, RelationKind, model::UnitId>;
 using StatementKey = std::tuple<model::RelationId, StatementSide, model::SourceId, std::string>;
 
 // Phase numbers restart in each period.
-std::string phase_key(const std::string& period, const std::string& number) {
-    return period + '\x1F' + number;
-}
+std::string phase_key(const std::string& period, const std::string& number) { return period + '\x1F' + number; }
 
 class Merge {
   public:
@@ -76,21 +74,21 @@ class Merge {
     [[nodiscard]] model::UnitId unit_of(const strat::UnitName& name);
 
     // A value kept by natural key, remembering what happened to it.
-    template <class T>
+    template<class T>
     struct Kept {
         T value;
         bool is_new = false;
         bool is_changed = false;
     };
 
-    template <class T>
+    template<class T>
     using KeptByNumber = std::map<std::string, Kept<T>>;
 
     FieldMerge fields(const std::string& what, bool& changed) {
         return {what, options_.update, changed, plan_.conflicts};
     }
 
-    template <class T>
+    template<class T>
     static void give(KeptByNumber<T>& from, std::vector<T>& fresh, std::vector<T>* changed) {
         for (auto& [number, kept] : from) {
             if (kept.is_new) {
@@ -271,8 +269,7 @@ void Merge::merge_parents(const ImportSet& set) {
     }
 }
 
-model::PhysicalRelation& Merge::relation(const strat::StatedRelation& stated, std::size_t subject,
-                                         std::size_t object) {
+model::PhysicalRelation& Merge::relation(const strat::StatedRelation& stated, std::size_t subject, std::size_t object) {
     const model::UnitId s = units_.at(subject).unit.id;
     const model::UnitId o = units_.at(object).unit.id;
     const auto [it, fresh] = relation_at_.try_emplace(Triple{s, stated.kind, o}, relations_.size());
@@ -384,7 +381,7 @@ void Merge::merge_finds(const ImportSet& set) {
 }
 
 // Things without a number of their own are the same when everything they say is.
-template <class T, class Key>
+template<class T, class Key>
 class SeenBefore {
   public:
     SeenBefore(const std::vector<T>& before, Key key) : key_(key) {

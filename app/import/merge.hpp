@@ -27,7 +27,7 @@ struct MergeOptions {
 
 /// A value that stands differently in the project and in the file.
 struct MergeConflict {
-    std::string what;    ///< `unit 1042`
+    std::string what; ///< `unit 1042`
     std::string field;
     std::string kept;
     std::string offered;

@@ -33,7 +33,9 @@ class UnitTable {
     std::size_t mentioned(const strat::UnitName& name, const std::string& from_area);
 
     [[nodiscard]] Entry& at(std::size_t position) { return entries_[position]; }
+
     [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
+
     [[nodiscard]] const std::vector<model::Area>& new_areas() const noexcept { return new_areas_; }
 
     /// Id of the area with that name; makes it when there is none. Nil for an empty name.

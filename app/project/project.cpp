@@ -101,25 +101,18 @@ Project Project::open(const std::filesystem::path& file, store::OpenMode mode, c
 }
 
 Project::Project(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
+
 Project::Project(Project&&) noexcept = default;
 Project& Project::operator=(Project&&) noexcept = default;
 Project::~Project() = default;
 
-const std::filesystem::path& Project::path() const noexcept {
-    return state_->file.path();
-}
+const std::filesystem::path& Project::path() const noexcept { return state_->file.path(); }
 
-const std::string& Project::author() const noexcept {
-    return state_->author;
-}
+const std::string& Project::author() const noexcept { return state_->author; }
 
-const Clock& Project::clock() const noexcept {
-    return *state_->clock;
-}
+const Clock& Project::clock() const noexcept { return *state_->clock; }
 
-UuidSource& Project::uuids() noexcept {
-    return *state_->uuids;
-}
+UuidSource& Project::uuids() noexcept { return *state_->uuids; }
 
 const model::Record& Project::record() {
     if (!state_->record) state_->record = state_->file.load();
@@ -147,13 +140,9 @@ store::ChangeEntry Project::redo() {
     return state_->file.redo();
 }
 
-store::ProjectFile& Project::file() noexcept {
-    return state_->file;
-}
+store::ProjectFile& Project::file() noexcept { return state_->file; }
 
-const store::ProjectFile& Project::file() const noexcept {
-    return state_->file;
-}
+const store::ProjectFile& Project::file() const noexcept { return state_->file; }
 
 model::UnitIndex Project::unit_named(std::string_view name) {
     const std::vector<model::UnitIndex> hits = index().named(name);
@@ -165,8 +154,8 @@ model::UnitIndex Project::unit_named(std::string_view name) {
     }
     std::vector<std::string> names;
     for (const model::UnitIndex unit : hits) names.push_back(index().name(unit));
-    throw Error(ErrorCode::Usage, fmt::format("unit {} is used in {} areas; say which: {}", name, hits.size(),
-                                              text::join(names, ", ")));
+    throw Error(ErrorCode::Usage,
+                fmt::format("unit {} is used in {} areas; say which: {}", name, hits.size(), text::join(names, ", ")));
 }
 
 std::vector<std::string> near_numbers(const model::Record& record, std::string_view number, std::size_t most) {

@@ -5,9 +5,7 @@
 
 namespace planum::app {
 
-std::string text_of(const std::optional<double>& value) {
-    return value ? fmt::format("{}", *value) : std::string{};
-}
+std::string text_of(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string{}; }
 
 std::string text_of(const std::optional<std::int64_t>& value) {
     return value ? fmt::format("{}", *value) : std::string{};
@@ -36,8 +34,8 @@ std::string date_from(const std::string& field, const std::string& text) {
     constexpr std::array<int, 12> kDays = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     const bool shaped = date.size() == 10 && date[4] == '-' && date[7] == '-' && part(0, 4) >= 0;
     const auto month = shaped ? part(5, 2) : -1;
-    const bool good = month >= 1 && month <= 12 && part(8, 2) >= 1 &&
-                      part(8, 2) <= kDays.at(static_cast<std::size_t>(month - 1));
+    const bool good =
+        month >= 1 && month <= 12 && part(8, 2) >= 1 && part(8, 2) <= kDays.at(static_cast<std::size_t>(month - 1));
     if (!good) throw Error(ErrorCode::BadInput, fmt::format("{}: {} is no day; write YYYY-MM-DD", field, text));
     return date;
 }

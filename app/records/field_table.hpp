@@ -17,7 +17,7 @@
 namespace planum::app {
 
 /// One field of T: how it reads as text and how it is set from text.
-template <class T>
+template<class T>
 struct Field {
     FieldInfo info;
     std::function<std::string(const T&, Project&)> get;
@@ -32,28 +32,28 @@ struct Field {
 /// `YYYY-MM-DD` or empty; throws BadInput otherwise.
 [[nodiscard]] std::string date_from(const std::string& field, const std::string& text);
 
-template <class T>
+template<class T>
 Field<T> text_field(std::string name, std::string help, std::string T::*member) {
     return {{std::move(name), std::move(help)},
             [member](const T& value, Project&) { return value.*member; },
             [member](T& value, const std::string& text, Project&) { value.*member = text; }};
 }
 
-template <class T>
+template<class T>
 Field<T> date_field(std::string name, std::string help, std::string T::*member) {
     return {{name, std::move(help)},
             [member](const T& value, Project&) { return value.*member; },
             [member, name](T& value, const std::string& text, Project&) { value.*member = date_from(name, text); }};
 }
 
-template <class T>
+template<class T>
 Field<T> number_field(std::string name, std::string help, std::optional<double> T::*member) {
     return {{name, std::move(help)},
             [member](const T& value, Project&) { return text_of(value.*member); },
             [member, name](T& value, const std::string& text, Project&) { value.*member = number_from(name, text); }};
 }
 
-template <class T>
+template<class T>
 Field<T> integer_field(std::string name, std::string help, std::optional<std::int64_t> T::*member) {
     return {{name, std::move(help)},
             [member](const T& value, Project&) { return text_of(value.*member); },
@@ -61,7 +61,7 @@ Field<T> integer_field(std::string name, std::string help, std::optional<std::in
 }
 
 /// A field of an enumeration; `from` reads its words, `allowed` lists them for the error.
-template <class T, class Enum, class From>
+template<class T, class Enum, class From>
 Field<T> word_field(std::string name, std::string help, Enum T::*member, From from, std::string allowed) {
     return {{name, help + " (" + allowed + ")"},
             [member](const T& value, Project&) { return std::string(to_word(value.*member)); },
@@ -75,7 +75,7 @@ Field<T> word_field(std::string name, std::string help, Enum T::*member, From fr
 }
 
 /// A field that names a unit.
-template <class T>
+template<class T>
 Field<T> unit_field(std::string name, std::string help, model::UnitId T::*member) {
     return {{std::move(name), std::move(help)},
             [member](const T& value, Project& project) {
@@ -87,7 +87,7 @@ Field<T> unit_field(std::string name, std::string help, model::UnitId T::*member
 }
 
 /// A field that names one of the things of a vector of the record, by `name`.
-template <class T, class Other>
+template<class T, class Other>
 Field<T> named_field(std::string name, std::string help, decltype(Other::id) T::*member,
                      std::vector<Other> model::Record::*all, std::string Other::*name_of) {
     return {{name, std::move(help)},
@@ -110,7 +110,7 @@ Field<T> named_field(std::string name, std::string help, decltype(Other::id) T::
 }
 
 /// A kind made of a table of fields. Derived classes say how things are named and found.
-template <class T>
+template<class T>
 class FieldTableKind : public RecordKind {
   public:
     FieldTableKind(std::string_view word, std::string_view name_form, std::vector<T> model::Record::*all,
@@ -120,7 +120,9 @@ class FieldTableKind : public RecordKind {
     }
 
     [[nodiscard]] std::string_view word() const noexcept override { return word_; }
+
     [[nodiscard]] std::string_view name_form() const noexcept override { return name_form_; }
+
     [[nodiscard]] std::span<const FieldInfo> fields() const noexcept override { return infos_; }
 
     [[nodiscard]] std::vector<std::string> names(Project& project) const override {
@@ -189,7 +191,8 @@ class FieldTableKind : public RecordKind {
                 known = true;
             }
             if (!known) {
-                throw Error(ErrorCode::Usage, fmt::format("{} has no field {}; see planum {} --help", word_, name, word_));
+                throw Error(ErrorCode::Usage,
+                            fmt::format("{} has no field {}; see planum {} --help", word_, name, word_));
             }
         }
     }
@@ -202,7 +205,7 @@ class FieldTableKind : public RecordKind {
 };
 
 /// A kind whose things carry their name in one member (`number` or `name`).
-template <class T>
+template<class T>
 class NamedKind : public FieldTableKind<T> {
   public:
     NamedKind(std::string_view word, std::vector<T> model::Record::*all, std::string T::*name_member,

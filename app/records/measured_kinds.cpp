@@ -44,10 +44,10 @@ std::vector<Field<model::Document>> document_fields() {
 
 std::vector<Field<model::Level>> level_fields() {
     using L = model::Level;
-    std::vector<Field<L>> fields = {
-        word_field<L>("role", "what the height stands for", &L::role, model::level_role_from_word,
-                      "top, base, cut, other"),
-        number_field<L>("x", "site grid [m]", &L::x), number_field<L>("y", "site grid [m]", &L::y)};
+    std::vector<Field<L>> fields = {word_field<L>("role", "what the height stands for", &L::role,
+                                                  model::level_role_from_word, "top, base, cut, other"),
+                                    number_field<L>("x", "site grid [m]", &L::x),
+                                    number_field<L>("y", "site grid [m]", &L::y)};
     fields.push_back({{"z", "height [m]"},
                       [](const L& level, Project&) { return fmt::format("{}", level.z); },
                       [](L& level, const std::string& text, Project&) {
@@ -85,10 +85,11 @@ class LevelKind final : public FieldTableKind<model::Level> {
 
 void add_measured_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds) {
     using model::Record;
-    kinds.push_back(std::make_unique<NamedKind<model::Find>>("find", &Record::finds, &model::Find::number, find_fields()));
-    kinds.push_back(std::make_unique<LevelKind>());
     kinds.push_back(
-        std::make_unique<NamedKind<model::Sample>>("sample", &Record::samples, &model::Sample::number, sample_fields()));
+        std::make_unique<NamedKind<model::Find>>("find", &Record::finds, &model::Find::number, find_fields()));
+    kinds.push_back(std::make_unique<LevelKind>());
+    kinds.push_back(std::make_unique<NamedKind<model::Sample>>("sample", &Record::samples, &model::Sample::number,
+                                                               sample_fields()));
     kinds.push_back(std::make_unique<NamedKind<model::Document>>("document", &Record::documents,
                                                                  &model::Document::number, document_fields()));
 }

@@ -33,7 +33,8 @@ std::vector<Field<model::Surface>> surface_fields() {
 
 void add_place_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds) {
     using model::Record;
-    kinds.push_back(std::make_unique<NamedKind<model::Area>>("area", &Record::areas, &model::Area::name, area_fields()));
+    kinds.push_back(
+        std::make_unique<NamedKind<model::Area>>("area", &Record::areas, &model::Area::name, area_fields()));
     kinds.push_back(std::make_unique<NamedKind<model::Surface>>("surface", &Record::surfaces, &model::Surface::name,
                                                                 surface_fields()));
 }

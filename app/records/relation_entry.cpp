@@ -21,7 +21,8 @@ SaidRelation parse_relation(Project& project, std::string_view sentence) {
         if (!word.empty()) words.emplace_back(word);
     }
     if (words.size() < 3) {
-        throw Error(ErrorCode::Usage, fmt::format("a relation is UNIT RELATION UNIT, as in 1042 cuts 1017, not {}", sentence));
+        throw Error(ErrorCode::Usage,
+                    fmt::format("a relation is UNIT RELATION UNIT, as in 1042 cuts 1017, not {}", sentence));
     }
     const std::string first = words.front();
     const std::string last = words.back();
@@ -30,10 +31,11 @@ SaidRelation parse_relation(Project& project, std::string_view sentence) {
     const std::string said_kind = text::join(words, " ");
     const auto meaning = model::relation_from_any_word(said_kind);
     if (!meaning) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{} is no relation; known are covers, cuts, fills, abuts (and covered by, …), bonds_with, "
-                                "same_as, borders, later, earlier, contemporary, in English, German, Italian and French",
-                                said_kind));
+        throw Error(
+            ErrorCode::BadInput,
+            fmt::format("{} is no relation; known are covers, cuts, fills, abuts (and covered by, …), bonds_with, "
+                        "same_as, borders, later, earlier, contemporary, in English, German, Italian and French",
+                        said_kind));
     }
     std::size_t a = project.unit_named(first);
     std::size_t b = project.unit_named(last);

@@ -11,8 +11,8 @@ namespace {
 
 std::vector<Field<PhysicalRelation>> relation_fields() {
     using R = PhysicalRelation;
-    std::vector<Field<R>> fields = {word_field<R>("certainty", "how sure", &R::certainty, model::certainty_from_word,
-                                                  "certain, uncertain")};
+    std::vector<Field<R>> fields = {
+        word_field<R>("certainty", "how sure", &R::certainty, model::certainty_from_word, "certain, uncertain")};
     fields.push_back({{"correlation", "same_as across a gap (yes, no)"},
                       [](const R& relation, Project&) { return std::string(relation.correlation ? "yes" : ""); },
                       [](R& relation, const std::string& text, Project&) { relation.correlation = text == "yes"; }});
@@ -62,8 +62,6 @@ class RelationRecordKind final : public FieldTableKind<PhysicalRelation> {
 
 } // namespace
 
-std::unique_ptr<RecordKind> make_relation_kind() {
-    return std::make_unique<RelationRecordKind>();
-}
+std::unique_ptr<RecordKind> make_relation_kind() { return std::make_unique<RelationRecordKind>(); }
 
 } // namespace planum::app

@@ -31,7 +31,8 @@ std::vector<Field<StratigraphicUnit>> first_fields() {
     fields.push_back(date_field<U>("excavated-on", "day it was dug away", &U::excavated_on));
     fields.push_back(text_field<U>("recorded-by", "recorded by", &U::recorded_by));
     fields.push_back(date_field<U>("recorded-on", "day of recording", &U::recorded_on));
-    fields.push_back(named_field<U, model::Area>("area", "trench", &U::area, &model::Record::areas, &model::Area::name));
+    fields.push_back(
+        named_field<U, model::Area>("area", "trench", &U::area, &model::Record::areas, &model::Area::name));
     fields.push_back(
         named_field<U, model::Phase>("phase", "phase", &U::phase, &model::Record::phases, &model::Phase::number));
     fields.push_back(
@@ -99,8 +100,6 @@ class UnitRecordKind final : public FieldTableKind<StratigraphicUnit> {
 
 } // namespace
 
-std::unique_ptr<RecordKind> make_unit_kind() {
-    return std::make_unique<UnitRecordKind>();
-}
+std::unique_ptr<RecordKind> make_unit_kind() { return std::make_unique<UnitRecordKind>(); }
 
 } // namespace planum::app

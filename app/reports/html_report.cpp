@@ -60,11 +60,13 @@ class Page {
         const model::ProjectSettings& settings = record_.settings;
         out_ += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" +
                 xml_escaped(settings.name) + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n";
-        out_ += fmt::format("<h1>{}</h1>\n<p class=\"sub\">{} units, {} relations. {} by {}, planum {}{}</p>\n",
-                            xml_escaped(settings.name), record_.units.size(), record_.relations.size(),
-                            xml_escaped(input_.made_at.substr(0, 10)), xml_escaped(input_.made_by), PLANUM_VERSION,
-                            input_.interpretation.empty() ? "" : "; interpretation " + xml_escaped(input_.interpretation));
-        out_ += "<p><a href=\"#problems\">Problems</a> · <a href=\"#matrix\">Matrix</a> · <a href=\"#units\">Units</a></p>\n";
+        out_ +=
+            fmt::format("<h1>{}</h1>\n<p class=\"sub\">{} units, {} relations. {} by {}, planum {}{}</p>\n",
+                        xml_escaped(settings.name), record_.units.size(), record_.relations.size(),
+                        xml_escaped(input_.made_at.substr(0, 10)), xml_escaped(input_.made_by), PLANUM_VERSION,
+                        input_.interpretation.empty() ? "" : "; interpretation " + xml_escaped(input_.interpretation));
+        out_ += "<p><a href=\"#problems\">Problems</a> · <a href=\"#matrix\">Matrix</a> · <a "
+                "href=\"#units\">Units</a></p>\n";
     }
 
     [[nodiscard]] std::string link(model::UnitId unit) const {
@@ -78,14 +80,19 @@ class Page {
     [[nodiscard]] std::string suspect(const model::Suspect& suspect) const {
         struct Words {
             const Page& page;
+
             std::string operator()(const model::SuspectRelation& s) const { return page.sentence(s.relation); }
+
             std::string operator()(const model::SuspectSameAs& s) const { return page.sentence(s.same_as); }
+
             std::string operator()(const model::SuspectNumber& s) const {
                 return fmt::format("the number {} in “{}”, probably {}", xml_escaped(s.written),
                                    page.sentence(s.relation), xml_escaped(s.probably));
             }
+
             std::string operator()(const model::SuspectUnit& s) const { return "unit " + page.link(s.unit); }
         };
+
         return std::visit(Words{*this}, suspect.what);
     }
 
@@ -98,7 +105,8 @@ class Page {
             for (const model::Suspect& s : d.suspects) {
                 std::vector<std::string> reasons;
                 for (const std::string& reason : s.reasons) reasons.push_back(xml_escaped(reason));
-                out_ += fmt::format("<li>{}{}{}</li>\n", suspect(s), reasons.empty() ? "" : ": ", text::join(reasons, "; "));
+                out_ += fmt::format("<li>{}{}{}</li>\n", suspect(s), reasons.empty() ? "" : ": ",
+                                    text::join(reasons, "; "));
             }
             if (!d.suspects.empty()) out_ += "</ol>\n";
             out_ += "</div>\n";
@@ -115,10 +123,11 @@ class Page {
 
     void coverage() {
         const model::Coverage& c = input_.coverage;
-        out_ += fmt::format("<h2>What could be judged</h2>\n<table>\n<tr><th>relations that state an order</th><td>{}</td></tr>\n"
-                            "<tr><th>confirmed by measured heights</th><td>{}</td></tr>\n"
-                            "<tr><th>contradicted</th><td>{}</td></tr>\n",
-                            c.relations, c.confirmed, c.contradicted);
+        out_ += fmt::format(
+            "<h2>What could be judged</h2>\n<table>\n<tr><th>relations that state an order</th><td>{}</td></tr>\n"
+            "<tr><th>confirmed by measured heights</th><td>{}</td></tr>\n"
+            "<tr><th>contradicted</th><td>{}</td></tr>\n",
+            c.relations, c.confirmed, c.contradicted);
         for (const auto& [reason, count] : c.untestable) {
             out_ += fmt::format("<tr><th>not testable: {}</th><td>{}</td></tr>\n", xml_escaped(reason), count);
         }
@@ -192,8 +201,6 @@ class Page {
 
 } // namespace
 
-std::string write_html_report(const ReportInput& input) {
-    return Page(input).write();
-}
+std::string write_html_report(const ReportInput& input) { return Page(input).write(); }
 
 } // namespace planum::app

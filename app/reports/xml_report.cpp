@@ -17,9 +17,7 @@ namespace {
 using pugi::xml_node;
 
 // XML 1.0 has no place for control characters; entering them is refused, but old files may hold some.
-std::string clean(std::string_view text) {
-    return text::clean_utf8(text).text;
-}
+std::string clean(std::string_view text) { return text::clean_utf8(text).text; }
 
 void attribute(xml_node node, const char* name, std::string_view value) {
     if (!value.empty()) node.append_attribute(name).set_value(clean(value).c_str());
@@ -29,12 +27,12 @@ void required(xml_node node, const char* name, std::string_view value) {
     node.append_attribute(name).set_value(clean(value).c_str());
 }
 
-template <class Tag>
+template<class Tag>
 void reference(xml_node node, const char* name, const Id<Tag>& id) {
     if (!id.is_nil()) attribute(node, name, id.to_string());
 }
 
-template <class T>
+template<class T>
 void optional(xml_node node, const char* name, const std::optional<T>& value) {
     if (value) attribute(node, name, fmt::format("{}", *value));
 }

@@ -22,6 +22,7 @@ class SystemClock final : public Clock {
 class FixedClock final : public Clock {
   public:
     explicit FixedClock(std::string time) : time_(std::move(time)) {}
+
     [[nodiscard]] std::string now() const override { return time_; }
 
   private:

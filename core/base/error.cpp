@@ -7,9 +7,7 @@ namespace planum {
 
 Error::Error(ErrorCode code, std::string message) : code_(code), message_(std::move(message)) {}
 
-void Error::add_context(const std::string& context) {
-    message_ = context + ": " + message_;
-}
+void Error::add_context(const std::string& context) { message_ = context + ": " + message_; }
 
 int exit_status(ErrorCode code) noexcept {
     switch (code) {

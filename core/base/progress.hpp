@@ -11,7 +11,9 @@ namespace planum {
 class Progress {
   public:
     Progress() = default;
+
     explicit Progress(std::stop_token token) : token_(std::move(token)) {}
+
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     virtual ~Progress() = default;

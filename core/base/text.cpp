@@ -12,17 +12,11 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD"; // U+FFFD
 
-bool is_digit(char c) noexcept {
-    return c >= '0' && c <= '9';
-}
+bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
-bool is_blank(char c) noexcept {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
-}
+bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
-char ascii_lower(char c) noexcept {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
+char ascii_lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 struct Decoded {
     char32_t code = 0;
@@ -39,8 +33,8 @@ Decoded decode(std::string_view s) noexcept {
         return {(static_cast<char32_t>(b0 & 0x1FU) << 6U) | (at(1) & 0x3FU), 2};
     }
     if (b0 >= 0xE0U && b0 <= 0xEFU && tail(1) && tail(2)) {
-        const char32_t code = (static_cast<char32_t>(b0 & 0x0FU) << 12U) |
-                              (static_cast<char32_t>(at(1) & 0x3FU) << 6U) | (at(2) & 0x3FU);
+        const char32_t code =
+            (static_cast<char32_t>(b0 & 0x0FU) << 12U) | (static_cast<char32_t>(at(1) & 0x3FU) << 6U) | (at(2) & 0x3FU);
         if (code >= 0x800U && (code < 0xD800U || code > 0xDFFFU)) return {code, 3};
     }
     if (b0 >= 0xF0U && b0 <= 0xF4U && tail(1) && tail(2) && tail(3)) {
@@ -72,10 +66,10 @@ void append_utf8(std::string& out, char32_t code) {
 }
 
 // Windows-1252 for the 32 codes that ISO-8859-1 leaves to control characters.
-constexpr std::array<char32_t, 32> kWindows1252 = {
-    0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
-    0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
-    0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+constexpr std::array<char32_t, 32> kWindows1252 = {0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                   0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
+                                                   0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                   0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
 char32_t lower(char32_t code) noexcept {
     if (code >= U'A' && code <= U'Z') return code + 32;

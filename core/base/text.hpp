@@ -26,6 +26,7 @@ namespace planum::text {
 
 struct NaturalLess {
     using is_transparent = void;
+
     [[nodiscard]] bool operator()(std::string_view a, std::string_view b) const noexcept {
         return natural_order(a, b) < 0;
     }

@@ -22,9 +22,7 @@ constexpr std::array<signed char, 256> kHexValues = [] {
     return values;
 }();
 
-bool is_hyphen_place(std::size_t i) noexcept {
-    return i == 8 || i == 13 || i == 18 || i == 23;
-}
+bool is_hyphen_place(std::size_t i) noexcept { return i == 8 || i == 13 || i == 18 || i == 23; }
 
 // splitmix64, Steele et al. 2014: small, and good enough for ids.
 std::uint64_t splitmix(std::uint64_t& state) noexcept {

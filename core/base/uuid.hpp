@@ -51,6 +51,7 @@ class TimeOrderedUuids final : public UuidSource {
 class SeededUuids final : public UuidSource {
   public:
     explicit SeededUuids(std::uint64_t seed) : state_(seed) {}
+
     [[nodiscard]] Uuid next() override;
 
   private:
@@ -59,11 +60,12 @@ class SeededUuids final : public UuidSource {
 };
 
 /// A Uuid that knows what it identifies: `void assign(RegionId region, UnitId unit)`.
-template <class Tag>
+template<class Tag>
 struct Id {
     Uuid value;
 
     [[nodiscard]] bool is_nil() const noexcept { return value.is_nil(); }
+
     [[nodiscard]] std::string to_string() const { return value.to_string(); }
 
     friend auto operator<=>(const Id&, const Id&) = default;
@@ -71,16 +73,14 @@ struct Id {
 
 } // namespace planum
 
-template <>
+template<>
 struct std::hash<planum::Uuid> {
     std::size_t operator()(const planum::Uuid& id) const noexcept {
         return static_cast<std::size_t>(id.low ^ (id.high * 0x9E3779B97F4A7C15ULL));
     }
 };
 
-template <class Tag>
+template<class Tag>
 struct std::hash<planum::Id<Tag>> {
-    std::size_t operator()(const planum::Id<Tag>& id) const noexcept {
-        return std::hash<planum::Uuid>{}(id.value);
-    }
+    std::size_t operator()(const planum::Id<Tag>& id) const noexcept { return std::hash<planum::Uuid>{}(id.value); }
 };

@@ -18,13 +18,14 @@ using Points = std::span<const Eigen::Vector3d>;
 
 struct Weights {
     std::span<const double> given;
+
     [[nodiscard]] double operator[](std::size_t i) const { return given.empty() ? 1.0 : given[i]; }
 };
 
 void refuse_bad_input(Points sources, Points targets, std::span<const double> weights) {
     if (sources.size() != targets.size() || (!weights.empty() && weights.size() != sources.size())) {
-        throw Error(ErrorCode::BadInput, fmt::format("{} source points for {} target points", sources.size(),
-                                                     targets.size()));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{} source points for {} target points", sources.size(), targets.size()));
     }
     std::size_t counting = 0;
     for (std::size_t i = 0; i < sources.size(); ++i) {

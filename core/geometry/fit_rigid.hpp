@@ -16,6 +16,7 @@ struct RigidFit {
     /// Of the six numbers of moved(). If the weights are 1/σ² of one coordinate, it is in rad and m.
     /// Infinite on the diagonal where the points lie on a line.
     Matrix6 covariance = Matrix6::Zero();
+
     [[nodiscard]] bool is_determined() const { return covariance.allFinite(); }
 };
 
@@ -23,7 +24,6 @@ struct RigidFit {
 /// 1991), never a reflection. Without weights all count 1. Throws BadInput for fewer than three pairs,
 /// spans of different length, weights that are negative, or coordinates that are not finite.
 [[nodiscard]] RigidFit fit_rigid(std::span<const Eigen::Vector3d> x_in_source,
-                                 std::span<const Eigen::Vector3d> x_in_target,
-                                 std::span<const double> weights = {});
+                                 std::span<const Eigen::Vector3d> x_in_target, std::span<const double> weights = {});
 
 } // namespace planum::geometry

@@ -27,7 +27,7 @@ class Writer {
   public:
     explicit Writer(std::size_t expected) { bytes_.reserve(expected); }
 
-    template <class Number>
+    template<class Number>
     void put(Number value) {
         std::array<std::byte, sizeof(Number)> raw;
         std::memcpy(raw.data(), &value, sizeof(Number));
@@ -108,7 +108,7 @@ class Reader {
   public:
     explicit Reader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
-    template <class Number>
+    template<class Number>
     Number get() {
         std::array<std::byte, sizeof(Number)> raw;
         const auto taken = take(sizeof(Number));
@@ -271,7 +271,8 @@ Geometry decode_gpb(std::span<const std::byte> blob) {
     case kPolygon: geometry.shape = MultiPolygon{read_rings(in, type)}; break;
     case kMultiPolygon: geometry.shape = read_multipolygon(in, type); break;
     default:
-        throw Error(ErrorCode::BadInput, "geometry type " + std::to_string(type.base) + " is not point, line or polygon");
+        throw Error(ErrorCode::BadInput,
+                    "geometry type " + std::to_string(type.base) + " is not point, line or polygon");
     }
     return geometry;
 }

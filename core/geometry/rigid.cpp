@@ -158,8 +158,9 @@ Rigid3 from_row_major(const std::array<double, 16>& matrix) {
     const Eigen::Matrix3d gram = motion.rotation * motion.rotation.transpose();
     const double off = (gram - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (off > kTolerance) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("pose that is not rigid: axes are off by {:.2g}, the limit is {:.2g}", off, kTolerance));
+        throw Error(
+            ErrorCode::BadInput,
+            fmt::format("pose that is not rigid: axes are off by {:.2g}, the limit is {:.2g}", off, kTolerance));
     }
     if (motion.rotation.determinant() < 0.0) {
         throw Error(ErrorCode::BadInput, "pose that is a mirror image: swap one axis in the export");

@@ -27,9 +27,7 @@ struct Rigid3 {
         return {rotation * source_from_other.rotation, rotation * source_from_other.translation + translation};
     }
 
-    [[nodiscard]] Rigid3 inverse() const {
-        return {rotation.transpose(), -(rotation.transpose() * translation)};
-    }
+    [[nodiscard]] Rigid3 inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
 
     friend bool operator==(const Rigid3&, const Rigid3&) = default;
 };

@@ -21,9 +21,7 @@ constexpr std::array kDatingWords = {
 
 } // namespace
 
-std::string_view to_word(DatingKind kind) noexcept {
-    return detail::word_of(kDatingWords, kind);
-}
+std::string_view to_word(DatingKind kind) noexcept { return detail::word_of(kDatingWords, kind); }
 
 std::optional<DatingKind> dating_kind_from_word(std::string_view word) noexcept {
     return detail::value_of(kDatingWords, word);

@@ -20,8 +20,8 @@ struct Period {
     std::string number; ///< short name, unique
     std::string title;
     std::string description;
-    std::optional<Year> from; ///< earliest year
-    std::optional<Year> to;   ///< latest year
+    std::optional<Year> from;         ///< earliest year
+    std::optional<Year> to;           ///< latest year
     std::optional<std::int64_t> rank; ///< order in time, 1 = earliest; unset: unknown
 
     friend bool operator==(const Period&, const Period&) = default;

@@ -38,9 +38,9 @@ struct SuspectSameAs {
 };
 
 struct SuspectNumber {
-    NamedRelation relation;    ///< in which it is written
-    std::string written;       ///< the number as it stands there
-    std::string probably;      ///< the number that would break the cycle
+    NamedRelation relation; ///< in which it is written
+    std::string written;    ///< the number as it stands there
+    std::string probably;   ///< the number that would break the cycle
     friend bool operator==(const SuspectNumber&, const SuspectNumber&) = default;
 };
 
@@ -79,8 +79,8 @@ struct Diagnostic {
 
 /// How much of the record could be judged at all.
 struct Coverage {
-    std::int64_t relations = 0;    ///< relations that state an order
-    std::int64_t confirmed = 0;    ///< by surfaces, sections or levels
+    std::int64_t relations = 0; ///< relations that state an order
+    std::int64_t confirmed = 0; ///< by surfaces, sections or levels
     std::int64_t contradicted = 0;
     std::map<std::string, std::int64_t> untestable; ///< reason → number
 

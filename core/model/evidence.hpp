@@ -17,12 +17,12 @@ struct SurfaceEvidence {
     UnitId upper; ///< the unit seen first, where the other came out below it
     UnitId lower;
     EvidenceSource source = EvidenceSource::StratigraphicSurfaces;
-    double area = 0.0;            ///< cells where `upper` lay above `lower`
-    double contrary_area = 0.0;   ///< cells that say the opposite
-    double thickness = 0.0;       ///< median height between the two faces
-    double tolerance = 0.0;       ///< 95 % bound that was applied to the heights
-    double contact_dip = 0.0;     ///< [rad]
-    bool both_faces_own = false;  ///< both regions show `top` or `cut`
+    double area = 0.0;           ///< cells where `upper` lay above `lower`
+    double contrary_area = 0.0;  ///< cells that say the opposite
+    double thickness = 0.0;      ///< median height between the two faces
+    double tolerance = 0.0;      ///< 95 % bound that was applied to the heights
+    double contact_dip = 0.0;    ///< [rad]
+    bool both_faces_own = false; ///< both regions show `top` or `cut`
     bool testable = true;
     std::string why_not_testable;
     std::vector<SurfaceId> surfaces;

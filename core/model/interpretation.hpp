@@ -26,9 +26,9 @@ struct Interpretation {
 /// A director's word on a diagnostic or a suggestion, with the reason.
 struct Decision {
     DecisionId id;
-    std::string subject_id;    ///< id of the diagnostic or suggestion
-    std::string kind;          ///< diagnostic, suggestion, sign-off
-    std::string verdict;       ///< accepted, rejected, answered
+    std::string subject_id; ///< id of the diagnostic or suggestion
+    std::string kind;       ///< diagnostic, suggestion, sign-off
+    std::string verdict;    ///< accepted, rejected, answered
     std::string because;
     std::string evidence_hash; ///< of what it was decided on; a change reopens it
     double area = 0.0;         ///< [m²] the evidence covered; half as much again reopens it

@@ -19,9 +19,7 @@ constexpr std::array kRoleWords = {
 
 } // namespace
 
-std::string_view to_word(LevelRole role) noexcept {
-    return detail::word_of(kRoleWords, role);
-}
+std::string_view to_word(LevelRole role) noexcept { return detail::word_of(kRoleWords, role); }
 
 std::optional<LevelRole> level_role_from_word(std::string_view word) noexcept {
     return detail::value_of(kRoleWords, word);

@@ -50,7 +50,7 @@ struct Sample {
     SampleId id;
     std::string number;
     UnitId unit;
-    std::string type; ///< soil, C14, charcoal, dendro, pollen, micromorphology, mortar, …
+    std::string type;             ///< soil, C14, charcoal, dendro, pollen, micromorphology, mortar, …
     std::optional<double> volume; ///< [l]
     std::optional<double> weight; ///< [g]
     std::string laboratory_number;

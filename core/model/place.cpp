@@ -38,17 +38,11 @@ constexpr std::array kCategoryWords = {
 
 } // namespace
 
-std::string_view to_word(DigMethod method) noexcept {
-    return detail::word_of(kMethodWords, method);
-}
+std::string_view to_word(DigMethod method) noexcept { return detail::word_of(kMethodWords, method); }
 
-std::string_view to_word(RegionShows shows) noexcept {
-    return detail::word_of(kShowsWords, shows);
-}
+std::string_view to_word(RegionShows shows) noexcept { return detail::word_of(kShowsWords, shows); }
 
-std::string_view to_word(RegionCategory category) noexcept {
-    return detail::word_of(kCategoryWords, category);
-}
+std::string_view to_word(RegionCategory category) noexcept { return detail::word_of(kCategoryWords, category); }
 
 std::optional<DigMethod> dig_method_from_word(std::string_view word) noexcept {
     return detail::value_of(kMethodWords, word);

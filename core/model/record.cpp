@@ -25,7 +25,7 @@ constexpr std::array kStrictnessWords = {
 };
 
 // Sorts by natural text first and id last, so that the order is total and independent of insertion.
-template <class Values, class Text>
+template<class Values, class Text>
 void sort_by_text(Values& values, Text text_of) {
     std::sort(values.begin(), values.end(), [&](const auto& a, const auto& b) {
         const auto order = text::natural_order(text_of(a), text_of(b));
@@ -33,7 +33,7 @@ void sort_by_text(Values& values, Text text_of) {
     });
 }
 
-template <class Values, class Key>
+template<class Values, class Key>
 void sort_by_key(Values& values, Key key_of) {
     std::sort(values.begin(), values.end(), [&](const auto& a, const auto& b) { return key_of(a) < key_of(b); });
 }
@@ -59,6 +59,7 @@ void sort_statements(Record& record, const std::unordered_map<RelationId, std::u
         std::uint32_t relation;
         std::uint32_t from;
     };
+
     const std::vector<RelationStatement>& all = record.statements;
     std::vector<Placed> order;
     order.reserve(all.size());
@@ -84,10 +85,12 @@ void sort_relations(Record& record, const std::unordered_map<UnitId, UnitIndex>&
         const auto it = place.find(id);
         return it == place.end() ? kNoUnit : it->second;
     };
+
     struct Keyed {
         std::tuple<UnitIndex, UnitIndex, RelationKind, RelationId> key;
         std::size_t from;
     };
+
     std::vector<Keyed> order;
     order.reserve(record.relations.size());
     for (std::size_t i = 0; i < record.relations.size(); ++i) {
@@ -184,7 +187,8 @@ void sort_record(Record& record) {
     sort_by_text(record.documents, [](const Document& d) -> std::string_view { return d.number; });
     sort_by_key(record.surfaces, [](const Surface& s) { return std::tie(s.order, s.first_day, s.name, s.id); });
     sort_by_text(record.sections, [](const Section& s) -> std::string_view { return s.name; });
-    sort_by_key(record.regions, [&](const Region& r) { return std::make_tuple(r.surface, r.section, at(r.unit), r.part, r.id); });
+    sort_by_key(record.regions,
+                [&](const Region& r) { return std::make_tuple(r.surface, r.section, at(r.unit), r.part, r.id); });
     sort_by_text(record.scans, [](const Scan& s) -> std::string_view { return s.name; });
     sort_by_key(record.poses, [](const ScanPose& p) { return std::tie(p.scan, p.run); });
     sort_by_key(record.runs, [](const RegistrationRun& r) { return std::tie(r.made_at, r.name, r.id); });
@@ -192,13 +196,9 @@ void sort_record(Record& record) {
     sort_by_text(record.interpretations, [](const Interpretation& i) -> std::string_view { return i.name; });
 }
 
-std::string_view to_word(NumberScope scope) noexcept {
-    return detail::word_of(kScopeWords, scope);
-}
+std::string_view to_word(NumberScope scope) noexcept { return detail::word_of(kScopeWords, scope); }
 
-std::string_view to_word(Strictness strictness) noexcept {
-    return detail::word_of(kStrictnessWords, strictness);
-}
+std::string_view to_word(Strictness strictness) noexcept { return detail::word_of(kStrictnessWords, strictness); }
 
 std::optional<NumberScope> number_scope_from_word(std::string_view word) noexcept {
     return detail::value_of(kScopeWords, word);

@@ -40,13 +40,9 @@ struct RelationWord {
     DirectedKind meaning;
 };
 
-constexpr DirectedKind forward(RelationKind kind) {
-    return {kind, false};
-}
+constexpr DirectedKind forward(RelationKind kind) { return {kind, false}; }
 
-constexpr DirectedKind backward(RelationKind kind) {
-    return {kind, true};
-}
+constexpr DirectedKind backward(RelationKind kind) { return {kind, true}; }
 
 constexpr std::array kAnyWords = {
     // English
@@ -195,21 +191,13 @@ TimeMeaning time_meaning(RelationKind kind) noexcept {
     return TimeMeaning::None;
 }
 
-bool is_symmetric(RelationKind kind) noexcept {
-    return time_meaning(kind) != TimeMeaning::SubjectLater;
-}
+bool is_symmetric(RelationKind kind) noexcept { return time_meaning(kind) != TimeMeaning::SubjectLater; }
 
-std::string_view to_word(RelationKind kind) noexcept {
-    return detail::word_of(kKindWords, kind);
-}
+std::string_view to_word(RelationKind kind) noexcept { return detail::word_of(kKindWords, kind); }
 
-std::string_view to_word(Certainty certainty) noexcept {
-    return detail::word_of(kCertaintyWords, certainty);
-}
+std::string_view to_word(Certainty certainty) noexcept { return detail::word_of(kCertaintyWords, certainty); }
 
-std::string_view to_word(StatementSide side) noexcept {
-    return detail::word_of(kSideWords, side);
-}
+std::string_view to_word(StatementSide side) noexcept { return detail::word_of(kSideWords, side); }
 
 std::optional<RelationKind> relation_kind_from_word(std::string_view word) noexcept {
     return detail::value_of(kKindWords, word);

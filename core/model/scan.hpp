@@ -21,10 +21,10 @@ struct Scan {
     std::string format;
     std::int64_t cloud = 0; ///< which cloud of the file, from 0
     std::int64_t points = 0;
-    std::int64_t rows = 0;    ///< of the scanner's grid; 0: none
+    std::int64_t rows = 0; ///< of the scanner's grid; 0: none
     std::int64_t columns = 0;
     std::string sensor;
-    std::string acquired_at; ///< ISO time or empty
+    std::string acquired_at;                           ///< ISO time or empty
     std::optional<std::array<double, 16>> header_pose; ///< as the file says, row-major; a start value only
 
     friend bool operator==(const Scan&, const Scan&) = default;

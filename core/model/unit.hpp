@@ -122,16 +122,16 @@ struct StratigraphicUnit {
 [[nodiscard]] std::string_view to_word(UnitStatus status) noexcept;
 [[nodiscard]] std::string_view to_word(UnitOrigin origin) noexcept;
 
-template <class Enum>
+template<class Enum>
 [[nodiscard]] std::optional<Enum> from_word(std::string_view word) noexcept;
 
-template <>
+template<>
 std::optional<UnitKind> from_word<UnitKind>(std::string_view word) noexcept;
-template <>
+template<>
 std::optional<UnitForm> from_word<UnitForm>(std::string_view word) noexcept;
-template <>
+template<>
 std::optional<UnitStatus> from_word<UnitStatus>(std::string_view word) noexcept;
-template <>
+template<>
 std::optional<UnitOrigin> from_word<UnitOrigin>(std::string_view word) noexcept;
 
 struct KindAndForm {

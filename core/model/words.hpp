@@ -10,7 +10,7 @@
 namespace planum::model::detail {
 
 /// Looks a word up in a table of {enumerator, word}; the tables are short, so a line scan is quickest.
-template <class Enum, std::size_t N>
+template<class Enum, std::size_t N>
 [[nodiscard]] constexpr std::string_view word_of(const std::array<std::pair<Enum, std::string_view>, N>& table,
                                                  Enum value) noexcept {
     for (const auto& [candidate, word] : table) {
@@ -19,9 +19,9 @@ template <class Enum, std::size_t N>
     return {};
 }
 
-template <class Enum, std::size_t N>
-[[nodiscard]] constexpr std::optional<Enum>
-value_of(const std::array<std::pair<Enum, std::string_view>, N>& table, std::string_view word) noexcept {
+template<class Enum, std::size_t N>
+[[nodiscard]] constexpr std::optional<Enum> value_of(const std::array<std::pair<Enum, std::string_view>, N>& table,
+                                                     std::string_view word) noexcept {
     for (const auto& [value, candidate] : table) {
         if (candidate == word) return value;
     }

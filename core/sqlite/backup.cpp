@@ -22,8 +22,7 @@ struct Finish {
 
 void copy_database(const Database& source, const std::filesystem::path& target, Progress& progress) {
     const Database copy = Database::open(target, Access::Create);
-    std::unique_ptr<sqlite3_backup, Finish> backup{
-        sqlite3_backup_init(copy.native(), "main", source.native(), "main")};
+    std::unique_ptr<sqlite3_backup, Finish> backup{sqlite3_backup_init(copy.native(), "main", source.native(), "main")};
     if (!backup) throw error_of(copy.connection(), sqlite3_extended_errcode(copy.native()));
     int result = SQLITE_OK;
     while (result == SQLITE_OK) {

@@ -17,9 +17,7 @@ namespace {
 // Tables with more columns than this are not ours; a damaged changeset may claim any number.
 constexpr int kMostColumns = 1000;
 
-Error damaged() {
-    return {ErrorCode::BadInput, "the record of this change is damaged"};
-}
+Error damaged() { return {ErrorCode::BadInput, "the record of this change is damaged"}; }
 
 struct FinalizeIterator {
     void operator()(sqlite3_changeset_iter* iterator) const noexcept { sqlite3changeset_finalize(iterator); }
@@ -124,15 +122,11 @@ int size_of(std::span<const std::byte> changeset) {
 }
 
 // The session API takes void* but only reads.
-void* start_of(std::span<const std::byte> changeset) {
-    return const_cast<std::byte*>(changeset.data());
-}
+void* start_of(std::span<const std::byte> changeset) { return const_cast<std::byte*>(changeset.data()); }
 
 } // namespace
 
-void Session::Delete::operator()(sqlite3_session* session) const noexcept {
-    sqlite3session_delete(session);
-}
+void Session::Delete::operator()(sqlite3_session* session) const noexcept { sqlite3session_delete(session); }
 
 Session::Session(const Database& database) : database_(&database) {
     sqlite3_session* session = nullptr;

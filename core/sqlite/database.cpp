@@ -15,8 +15,8 @@ namespace planum::sqlite {
 
 namespace {
 
-constexpr int kBusyTimeout = 10'000;    // [ms]
-constexpr int kProgressEvery = 20'000;  // virtual machine steps, a fraction of a millisecond
+constexpr int kBusyTimeout = 10'000;   // [ms]
+constexpr int kProgressEvery = 20'000; // virtual machine steps, a fraction of a millisecond
 
 struct Limit {
     int what;
@@ -25,12 +25,18 @@ struct Limit {
 
 // No record of a dig comes near any of these; a file made to exhaust memory or time does.
 constexpr std::array kLimits = {
-    Limit{SQLITE_LIMIT_LENGTH, 64 * 1024 * 1024}, Limit{SQLITE_LIMIT_SQL_LENGTH, 200'000},
-    Limit{SQLITE_LIMIT_COLUMN, 1000},             Limit{SQLITE_LIMIT_EXPR_DEPTH, 200},
-    Limit{SQLITE_LIMIT_COMPOUND_SELECT, 200},     Limit{SQLITE_LIMIT_VDBE_OP, 250'000},
-    Limit{SQLITE_LIMIT_FUNCTION_ARG, 32},         Limit{SQLITE_LIMIT_ATTACHED, 0},
-    Limit{SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 500}, Limit{SQLITE_LIMIT_VARIABLE_NUMBER, 2000},
-    Limit{SQLITE_LIMIT_TRIGGER_DEPTH, 10},        Limit{SQLITE_LIMIT_WORKER_THREADS, 0},
+    Limit{SQLITE_LIMIT_LENGTH, 64 * 1024 * 1024},
+    Limit{SQLITE_LIMIT_SQL_LENGTH, 200'000},
+    Limit{SQLITE_LIMIT_COLUMN, 1000},
+    Limit{SQLITE_LIMIT_EXPR_DEPTH, 200},
+    Limit{SQLITE_LIMIT_COMPOUND_SELECT, 200},
+    Limit{SQLITE_LIMIT_VDBE_OP, 250'000},
+    Limit{SQLITE_LIMIT_FUNCTION_ARG, 32},
+    Limit{SQLITE_LIMIT_ATTACHED, 0},
+    Limit{SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 500},
+    Limit{SQLITE_LIMIT_VARIABLE_NUMBER, 2000},
+    Limit{SQLITE_LIMIT_TRIGGER_DEPTH, 10},
+    Limit{SQLITE_LIMIT_WORKER_THREADS, 0},
 };
 
 int flags_of(Access access) noexcept {
@@ -63,9 +69,7 @@ std::string immutable_uri(const std::filesystem::path& file) {
     return uri + "?immutable=1";
 }
 
-int stop_requested(void* context) {
-    return static_cast<const Connection*>(context)->stop.stop_requested() ? 1 : 0;
-}
+int stop_requested(void* context) { return static_cast<const Connection*>(context)->stop.stop_requested() ? 1 : 0; }
 
 void harden(const Connection& connection) {
     sqlite3* db = connection.handle;
@@ -134,9 +138,7 @@ Database Database::open_foreign(const std::filesystem::path& file) {
     return database;
 }
 
-Database Database::in_memory() {
-    return Database{connect(":memory:", "", flags_of(Access::Create)), Access::Create};
-}
+Database Database::in_memory() { return Database{connect(":memory:", "", flags_of(Access::Create)), Access::Create}; }
 
 Statement Database::prepare(std::string_view sql) const {
     sqlite3_stmt* statement = nullptr;
@@ -168,8 +170,7 @@ std::string Database::text(std::string_view sql) const {
 }
 
 bool Database::has_table(std::string_view name) const {
-    Statement statement =
-        prepare("SELECT 1 FROM sqlite_schema WHERE type='table' AND name=:name COLLATE NOCASE");
+    Statement statement = prepare("SELECT 1 FROM sqlite_schema WHERE type='table' AND name=:name COLLATE NOCASE");
     return statement.bind(":name", name).step();
 }
 
@@ -181,17 +182,11 @@ std::vector<std::string> Database::columns(std::string_view table) const {
     return names;
 }
 
-std::int64_t Database::last_insert_rowid() const noexcept {
-    return sqlite3_last_insert_rowid(connection_->handle);
-}
+std::int64_t Database::last_insert_rowid() const noexcept { return sqlite3_last_insert_rowid(connection_->handle); }
 
-std::int64_t Database::changes() const noexcept {
-    return sqlite3_changes64(connection_->handle);
-}
+std::int64_t Database::changes() const noexcept { return sqlite3_changes64(connection_->handle); }
 
-bool Database::in_transaction() const noexcept {
-    return sqlite3_get_autocommit(connection_->handle) == 0;
-}
+bool Database::in_transaction() const noexcept { return sqlite3_get_autocommit(connection_->handle) == 0; }
 
 void Database::stop_with(std::stop_token token) {
     connection_->stop = std::move(token);
@@ -210,21 +205,13 @@ void Database::enable_foreign_keys(bool on) const {
     sqlite3_db_config(connection_->handle, SQLITE_DBCONFIG_ENABLE_FKEY, on ? 1 : 0, nullptr);
 }
 
-const std::string& Database::name() const noexcept {
-    return connection_->name;
-}
+const std::string& Database::name() const noexcept { return connection_->name; }
 
-Access Database::access() const noexcept {
-    return access_;
-}
+Access Database::access() const noexcept { return access_; }
 
-sqlite3* Database::native() const noexcept {
-    return connection_->handle;
-}
+sqlite3* Database::native() const noexcept { return connection_->handle; }
 
-Transaction::Transaction(const Database& database) : database_(&database) {
-    database.execute("BEGIN IMMEDIATE");
-}
+Transaction::Transaction(const Database& database) : database_(&database) { database.execute("BEGIN IMMEDIATE"); }
 
 Transaction::~Transaction() {
     if (database_ == nullptr || !database_->in_transaction()) return;
@@ -237,8 +224,6 @@ void Transaction::commit() {
     database_ = nullptr;
 }
 
-std::string quote_identifier(std::string_view name) {
-    return "\"" + text::replace_all(name, "\"", "\"\"") + "\"";
-}
+std::string quote_identifier(std::string_view name) { return "\"" + text::replace_all(name, "\"", "\"\"") + "\""; }
 
 } // namespace planum::sqlite

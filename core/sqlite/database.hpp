@@ -85,6 +85,7 @@ class Database {
     [[nodiscard]] const std::string& name() const noexcept; ///< the file as it was given, for messages
     [[nodiscard]] Access access() const noexcept;           ///< as it was opened
     [[nodiscard]] sqlite3* native() const noexcept;         ///< for core/sqlite's own wrappers
+
     [[nodiscard]] const Connection& connection() const noexcept { return *connection_; }
 
   private:

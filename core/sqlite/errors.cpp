@@ -29,13 +29,11 @@ Error plain_error(const Connection& connection, int result) {
     const std::string said = connection.handle == nullptr ? sqlite3_errstr(result) : sqlite3_errmsg(connection.handle);
     switch (result & 0xFF) {
     case SQLITE_NOTADB: return {ErrorCode::BadInput, "not a SQLite database"};
-    case SQLITE_CORRUPT:
-        return {ErrorCode::BadInput, fmt::format("the file is damaged ({}): restore a backup", said)};
+    case SQLITE_CORRUPT: return {ErrorCode::BadInput, fmt::format("the file is damaged ({}): restore a backup", said)};
     case SQLITE_FORMAT: return {ErrorCode::BadInput, "the file is damaged: restore a backup"};
     case SQLITE_BUSY:
     case SQLITE_LOCKED: return {ErrorCode::Io, "in use by another program: close it there and try again"};
-    case SQLITE_FULL:
-        return {ErrorCode::Io, "the disk is full: nothing was changed; free some space and try again"};
+    case SQLITE_FULL: return {ErrorCode::Io, "the disk is full: nothing was changed; free some space and try again"};
     case SQLITE_IOERR: return disk_error(connection, result);
     case SQLITE_READONLY:
         if (result == SQLITE_READONLY_ROLLBACK || result == SQLITE_READONLY_RECOVERY) {

@@ -58,9 +58,8 @@ FileHeader read_header(const std::filesystem::path& file) {
     const bool power_of_two = header.page_size >= 512 && (header.page_size & (header.page_size - 1)) == 0;
     if (!power_of_two) throw Error(ErrorCode::BadInput, file.string() + ": the file is damaged: restore a backup");
     if (!header.wal && header.file_size < header.pages * header.page_size) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{}: the file is cut short ({} of {} bytes): restore a backup", file.string(),
-                                header.file_size, header.pages * header.page_size));
+        throw Error(ErrorCode::BadInput, fmt::format("{}: the file is cut short ({} of {} bytes): restore a backup",
+                                                     file.string(), header.file_size, header.pages * header.page_size));
     }
     return header;
 }

@@ -8,9 +8,7 @@
 
 namespace planum::sqlite {
 
-void Statement::Finalize::operator()(sqlite3_stmt* statement) const noexcept {
-    sqlite3_finalize(statement);
-}
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const noexcept { sqlite3_finalize(statement); }
 
 void Statement::check_bind(int result) const {
     if (result != SQLITE_OK) throw error_of(*connection_, result);
@@ -74,13 +72,9 @@ void Statement::run() {
     reset();
 }
 
-void Statement::reset() noexcept {
-    sqlite3_reset(statement_.get());
-}
+void Statement::reset() noexcept { sqlite3_reset(statement_.get()); }
 
-int Statement::column_count() const noexcept {
-    return sqlite3_column_count(statement_.get());
-}
+int Statement::column_count() const noexcept { return sqlite3_column_count(statement_.get()); }
 
 std::string_view Statement::column_name(int column) const noexcept {
     const char* name = sqlite3_column_name(statement_.get(), column);
@@ -101,13 +95,9 @@ bool Statement::is_null(int column) const noexcept {
     return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
-std::int64_t Statement::integer(int column) const noexcept {
-    return sqlite3_column_int64(statement_.get(), column);
-}
+std::int64_t Statement::integer(int column) const noexcept { return sqlite3_column_int64(statement_.get(), column); }
 
-double Statement::real(int column) const noexcept {
-    return sqlite3_column_double(statement_.get(), column);
-}
+double Statement::real(int column) const noexcept { return sqlite3_column_double(statement_.get(), column); }
 
 std::string_view Statement::text(int column) const noexcept {
     const unsigned char* start = sqlite3_column_text(statement_.get(), column);

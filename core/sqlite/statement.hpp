@@ -30,11 +30,15 @@ class Statement {
 
     // Parameters, by name with their colon (":number") or by index from 1.
     Statement& bind(std::string_view name, std::int64_t value) { return bind(parameter(name), value); }
+
     Statement& bind(std::string_view name, double value) { return bind(parameter(name), value); }
+
     Statement& bind(std::string_view name, std::string_view value) { return bind(parameter(name), value); }
+
     Statement& bind_blob(std::string_view name, std::span<const std::byte> value) {
         return bind_blob(parameter(name), value);
     }
+
     Statement& bind_null(std::string_view name) { return bind_null(parameter(name)); }
 
     Statement& bind(int index, std::int64_t value);

@@ -33,28 +33,32 @@ class LineWriter {
     }
 
     void integer(std::string_view column, std::int64_t value) { put(column, fmt::format("{}", value)); }
+
     void integer(std::string_view column, const std::optional<std::int64_t>& value) {
         if (value) integer(column, *value);
     }
 
     void real(std::string_view column, double value) { put(column, fmt::format("{}", value)); }
+
     void real(std::string_view column, const std::optional<double>& value) {
         if (value) real(column, *value);
     }
 
     void boolean(std::string_view column, bool value) { put(column, value ? "yes" : "no"); }
 
-    template <class Enum>
-    void word(std::string_view column, Enum value) { put(column, to_word(value)); }
+    template<class Enum>
+    void word(std::string_view column, Enum value) {
+        put(column, to_word(value));
+    }
 
-    template <class Tag>
+    template<class Tag>
     void reference(std::string_view column, const Id<Tag>& id) {
         if (id.is_nil()) return;
         const auto it = names_->find(id.value);
         put(column, it == names_->end() ? std::string_view{"?"} : std::string_view{it->second});
     }
 
-    template <class Z>
+    template<class Z>
     void position(const std::optional<double>& x, const std::optional<double>& y, const Z& z) {
         real("x", x);
         real("y", y);
@@ -84,11 +88,12 @@ class LineWriter {
         for (const auto& [name, value] : details) text(name, value);
     }
 
-    template <std::size_t N>
+    template<std::size_t N>
     void numbers(std::string_view column, const std::array<double, N>& values) {
         put(column, fmt::format("{}", fmt::join(values, " ")));
     }
-    template <std::size_t N>
+
+    template<std::size_t N>
     void numbers(std::string_view column, const std::optional<std::array<double, N>>& values) {
         if (values) numbers(column, *values);
     }
@@ -107,14 +112,14 @@ class LineWriter {
     std::string line_;
 };
 
-template <class T>
+template<class T>
 std::string line_of(const T& value, const Names& names) {
     LineWriter writer(TableOf<T>::name, names);
     describe_columns(writer, value);
     return writer.take();
 }
 
-template <class T>
+template<class T>
 void add_lines(const std::vector<T>& values, const Names& names, std::vector<std::string>& lines) {
     for (const T& value : values) lines.push_back(line_of(value, names));
 }

@@ -12,8 +12,9 @@ namespace planum::store {
 
 namespace {
 
-constexpr std::string_view kWriting = "PRAGMA synchronous = FULL; PRAGMA cache_spill = OFF; PRAGMA secure_delete = OFF; "
-                                      "PRAGMA recursive_triggers = ON";
+constexpr std::string_view kWriting =
+    "PRAGMA synchronous = FULL; PRAGMA cache_spill = OFF; PRAGMA secure_delete = OFF; "
+    "PRAGMA recursive_triggers = ON";
 constexpr std::string_view kReading = "PRAGMA query_only = ON; PRAGMA cache_size = -16000";
 
 bool has_content(const std::filesystem::path& file) {
@@ -25,7 +26,8 @@ bool has_content(const std::filesystem::path& file) {
 sqlite::FileHeader check_header(const std::filesystem::path& file) {
     const sqlite::FileHeader header = sqlite::read_header(file);
     if (header.application_id != kApplicationId) {
-        throw Error(ErrorCode::BadInput, file.string() + ": a database, but not a GeoPackage and so not a Planum project");
+        throw Error(ErrorCode::BadInput,
+                    file.string() + ": a database, but not a GeoPackage and so not a Planum project");
     }
     return header;
 }
@@ -60,9 +62,9 @@ void leave_write_ahead_mode(ProjectFile::State& state) {
     } catch (const Error& e) {
         if (e.code() != ErrorCode::Io) throw;
     }
-    state.report.notes.emplace_back(mode == "delete"
-                                        ? "the file had been left in write-ahead mode; it was set back"
-                                        : "the file stays in write-ahead mode while another program uses it (is it open in QGIS?)");
+    state.report.notes.emplace_back(
+        mode == "delete" ? "the file had been left in write-ahead mode; it was set back"
+                         : "the file stays in write-ahead mode while another program uses it (is it open in QGIS?)");
 }
 
 void check_version(ProjectFile::State& state) {
@@ -99,8 +101,8 @@ void repair(ProjectFile::State& state, const SchemaFindings& findings, const sql
     }
     for (std::size_t i = 0; i < findings.missing_sql.size(); ++i) {
         state.database.execute(findings.missing_sql[i]);
-        state.report.notes.push_back(fmt::format("{} had been dropped by another program; it was put back",
-                                                 findings.missing_names[i]));
+        state.report.notes.push_back(
+            fmt::format("{} had been dropped by another program; it was put back", findings.missing_names[i]));
     }
     transaction.commit();
 }
@@ -114,9 +116,7 @@ void require_gpkg_name(const std::filesystem::path& file) {
 
 } // namespace
 
-void prepare_for_writing(const sqlite::Database& database) {
-    database.execute(kWriting);
-}
+void prepare_for_writing(const sqlite::Database& database) { database.execute(kWriting); }
 
 std::unique_ptr<ProjectFile::State> open_project(const std::filesystem::path& file, OpenMode mode,
                                                  const Environment& environment) {
@@ -125,9 +125,9 @@ std::unique_ptr<ProjectFile::State> open_project(const std::filesystem::path& fi
     OpenReport report;
     roll_back_interrupted(file, report);
     const bool writes = mode == OpenMode::ReadWrite;
-    auto state = std::make_unique<ProjectFile::State>(
-        file, mode, environment,
-        writes ? sqlite::Database::open(file, sqlite::Access::ReadWrite) : connect_for_reading(file, header, report));
+    auto state = std::make_unique<ProjectFile::State>(file, mode, environment,
+                                                      writes ? sqlite::Database::open(file, sqlite::Access::ReadWrite)
+                                                             : connect_for_reading(file, header, report));
     state->report = std::move(report);
     state->database.execute(writes ? kWriting : kReading);
     check_version(*state);

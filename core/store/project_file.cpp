@@ -111,17 +111,11 @@ ProjectFile ProjectFile::open(const std::filesystem::path& file, OpenMode mode, 
     return ProjectFile{open_project(file, mode, environment)};
 }
 
-const std::filesystem::path& ProjectFile::path() const noexcept {
-    return state_->file;
-}
+const std::filesystem::path& ProjectFile::path() const noexcept { return state_->file; }
 
-const OpenReport& ProjectFile::open_report() const noexcept {
-    return state_->report;
-}
+const OpenReport& ProjectFile::open_report() const noexcept { return state_->report; }
 
-std::int64_t ProjectFile::schema_version() const noexcept {
-    return state_->version;
-}
+std::int64_t ProjectFile::schema_version() const noexcept { return state_->version; }
 
 model::Record ProjectFile::load() const {
     model::Record record = load_record(state_->database);
@@ -161,12 +155,8 @@ std::int64_t ProjectFile::change(std::string_view label, const std::function<voi
     return number;
 }
 
-ChangeEntry ProjectFile::undo() {
-    return take_back(*state_);
-}
+ChangeEntry ProjectFile::undo() { return take_back(*state_); }
 
-ChangeEntry ProjectFile::redo() {
-    return make_again(*state_);
-}
+ChangeEntry ProjectFile::redo() { return make_again(*state_); }
 
 } // namespace planum::store

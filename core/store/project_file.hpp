@@ -31,8 +31,8 @@ struct Environment {
 
 /// What opening found and did; every line is a sentence for the user.
 struct OpenReport {
-    std::vector<std::string> notes;          ///< WAL set back, R-trees dropped, migrated from 1 to 2, …
-    bool import_only = false;                ///< foreign triggers or views: nothing may be written
+    std::vector<std::string> notes; ///< WAL set back, R-trees dropped, migrated from 1 to 2, …
+    bool import_only = false;       ///< foreign triggers or views: nothing may be written
     std::vector<std::string> import_only_because;
 };
 

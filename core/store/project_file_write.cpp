@@ -8,7 +8,7 @@ namespace planum::store {
 
 namespace {
 
-template <class T>
+template<class T>
 auto insert_with_id(ProjectFile::State& state, const T& value) {
     auto id = value.id;
     if (id.is_nil()) id.value = state.new_uuid();
@@ -31,7 +31,7 @@ std::vector<std::pair<Uuid, Uuid>> rows_of(const ProjectFile::State& state, std:
 }
 
 /// Makes the rows of a side table equal to `wanted`: marks what is gone, adds what is new.
-template <class Tag>
+template<class Tag>
 void replace_rows(ProjectFile::State& state, std::string_view table, std::string_view owner_column,
                   std::string_view value_column, const Uuid& owner, const std::vector<Id<Tag>>& wanted) {
     std::set<Uuid> missing;
@@ -95,12 +95,16 @@ void replace_readings(ProjectFile::State& state, const model::Interpretation& va
         for (const auto& [row, owner] : rows_of(state, "interpretation_added", "interpretation", "uuid", id.value)) {
             const auto kept = std::any_of(value.added.begin(), value.added.end(),
                                           [&](const model::PhysicalRelation& r) { return r.id.value == row; });
-            if (kept) there.insert(row);
-            else remove_record(state, "interpretation_added", "added relation", row);
+            if (kept)
+                there.insert(row);
+            else
+                remove_record(state, "interpretation_added", "added relation", row);
         }
         for (const model::PhysicalRelation& relation : value.added) {
-            if (there.contains(relation.id.value)) update_added(state, relation);
-            else insert_added(state, relation, id.value);
+            if (there.contains(relation.id.value))
+                update_added(state, relation);
+            else
+                insert_added(state, relation, id.value);
         }
         replace_rows(state, "interpretation_dropped", "interpretation", "relation", id.value, value.dropped);
     } catch (const Error& e) {
@@ -119,13 +123,13 @@ Uuid pose_row(const ProjectFile::State& state, const model::ScanPose& pose) {
 
 } // namespace
 
-#define PLANUM_STORE_INSERT(Type, IdType)                                                                          \
+#define PLANUM_STORE_INSERT(Type, IdType)                                                                              \
     model::IdType ProjectFile::insert(const model::Type& value) { return insert_with_id(*state_, value); }
-#define PLANUM_STORE_UPDATE(Type)                                                                                  \
+#define PLANUM_STORE_UPDATE(Type)                                                                                      \
     void ProjectFile::update(const model::Type& value) { update_record(*state_, value, value.id.value); }
-#define PLANUM_STORE_REMOVE(Type, IdType)                                                                          \
-    void ProjectFile::remove(model::IdType id) {                                                                   \
-        remove_record(*state_, TableOf<model::Type>::name, TableOf<model::Type>::noun, id.value);                  \
+#define PLANUM_STORE_REMOVE(Type, IdType)                                                                              \
+    void ProjectFile::remove(model::IdType id) {                                                                       \
+        remove_record(*state_, TableOf<model::Type>::name, TableOf<model::Type>::noun, id.value);                      \
     }
 
 PLANUM_STORE_INSERT(Area, AreaId)

@@ -12,18 +12,18 @@ namespace planum::store {
 /// Which column holds which member, said once for writing, reading and the SQL itself: every
 /// describe_columns() walks a value in the order of its columns and hands each member to a visitor
 /// (ColumnNames, RowBinder, RowReader). The id is not walked; it is the row's uuid.
-template <class A, class B>
+template<class A, class B>
 concept Is = std::same_as<std::remove_const_t<A>, B>;
 
 /// Table of a type, and what its records are called in messages.
-template <class Value>
+template<class Value>
 struct TableOf;
 
-#define PLANUM_STORE_TABLE(Type, table, noun_text)                                                                 \
-    template <>                                                                                                    \
-    struct TableOf<model::Type> {                                                                                  \
-        static constexpr std::string_view name = table;                                                            \
-        static constexpr std::string_view noun = noun_text;                                                        \
+#define PLANUM_STORE_TABLE(Type, table, noun_text)                                                                     \
+    template<>                                                                                                         \
+    struct TableOf<model::Type> {                                                                                      \
+        static constexpr std::string_view name = table;                                                                \
+        static constexpr std::string_view noun = noun_text;                                                            \
     };
 
 PLANUM_STORE_TABLE(ProjectSettings, "project", "project")
@@ -52,7 +52,7 @@ PLANUM_STORE_TABLE(Interpretation, "interpretation", "interpretation")
 
 #undef PLANUM_STORE_TABLE
 
-template <class Visitor, Is<model::ProjectSettings> T>
+template<class Visitor, Is<model::ProjectSettings> T>
 void describe_columns(Visitor& v, T& p) {
     v.text("name", p.name);
     v.integer("srs_id", p.srs_id);
@@ -62,7 +62,7 @@ void describe_columns(Visitor& v, T& p) {
     v.word("strictness", p.strictness);
 }
 
-template <class Visitor, Is<model::Area> T>
+template<class Visitor, Is<model::Area> T>
 void describe_columns(Visitor& v, T& a) {
     v.text("name", a.name);
     v.text("title", a.title);
@@ -71,7 +71,7 @@ void describe_columns(Visitor& v, T& a) {
     v.text("last_number", a.last_number);
 }
 
-template <class Visitor, Is<model::StratigraphicUnit> T>
+template<class Visitor, Is<model::StratigraphicUnit> T>
 void describe_columns(Visitor& v, T& u) {
     v.text("number", u.number);
     v.reference("area", u.area);
@@ -92,7 +92,7 @@ void describe_columns(Visitor& v, T& u) {
     v.details(u.details);
 }
 
-template <class Visitor, Is<model::PhysicalRelation> T>
+template<class Visitor, Is<model::PhysicalRelation> T>
 void describe_columns(Visitor& v, T& r) {
     v.reference("subject", r.subject);
     v.word("kind", r.kind);
@@ -101,7 +101,7 @@ void describe_columns(Visitor& v, T& r) {
     v.boolean("correlation", r.correlation);
 }
 
-template <class Visitor, Is<model::RelationStatement> T>
+template<class Visitor, Is<model::RelationStatement> T>
 void describe_columns(Visitor& v, T& s) {
     v.reference("relation", s.relation);
     v.word("side", s.side);
@@ -112,7 +112,7 @@ void describe_columns(Visitor& v, T& s) {
     v.text("stated_at", s.stated_at);
 }
 
-template <class Visitor, Is<model::Source> T>
+template<class Visitor, Is<model::Source> T>
 void describe_columns(Visitor& v, T& s) {
     v.text("name", s.name);
     v.text("format", s.format);
@@ -121,7 +121,7 @@ void describe_columns(Visitor& v, T& s) {
     v.boolean("states_both_sides", s.states_both_sides);
 }
 
-template <class Visitor, Is<model::ImportNote> T>
+template<class Visitor, Is<model::ImportNote> T>
 void describe_columns(Visitor& v, T& n) {
     v.reference("source", n.source);
     v.integer("line", n.line);
@@ -130,7 +130,7 @@ void describe_columns(Visitor& v, T& n) {
     v.text("message", n.message);
 }
 
-template <class Visitor, Is<model::Period> T>
+template<class Visitor, Is<model::Period> T>
 void describe_columns(Visitor& v, T& p) {
     v.text("number", p.number);
     v.text("title", p.title);
@@ -140,7 +140,7 @@ void describe_columns(Visitor& v, T& p) {
     v.integer("rank", p.rank);
 }
 
-template <class Visitor, Is<model::Phase> T>
+template<class Visitor, Is<model::Phase> T>
 void describe_columns(Visitor& v, T& p) {
     v.text("number", p.number);
     v.text("title", p.title);
@@ -152,7 +152,7 @@ void describe_columns(Visitor& v, T& p) {
 }
 
 /// Members live in a table of their own.
-template <class Visitor, Is<model::UnitGroup> T>
+template<class Visitor, Is<model::UnitGroup> T>
 void describe_columns(Visitor& v, T& g) {
     v.text("number", g.number);
     v.text("type", g.type);
@@ -161,7 +161,7 @@ void describe_columns(Visitor& v, T& g) {
     v.reference("parent", g.parent);
 }
 
-template <class Visitor, Is<model::Dating> T>
+template<class Visitor, Is<model::Dating> T>
 void describe_columns(Visitor& v, T& d) {
     v.text("label", d.label);
     v.reference("unit", d.unit);
@@ -175,7 +175,7 @@ void describe_columns(Visitor& v, T& d) {
     v.text("notes", d.notes);
 }
 
-template <class Visitor, Is<model::Level> T>
+template<class Visitor, Is<model::Level> T>
 void describe_columns(Visitor& v, T& l) {
     v.reference("unit", l.unit);
     v.position(l.x, l.y, l.z);
@@ -183,7 +183,7 @@ void describe_columns(Visitor& v, T& l) {
     v.text("label", l.label);
 }
 
-template <class Visitor, Is<model::Find> T>
+template<class Visitor, Is<model::Find> T>
 void describe_columns(Visitor& v, T& f) {
     v.text("number", f.number);
     v.reference("unit", f.unit);
@@ -198,7 +198,7 @@ void describe_columns(Visitor& v, T& f) {
     v.text("description", f.description);
 }
 
-template <class Visitor, Is<model::Sample> T>
+template<class Visitor, Is<model::Sample> T>
 void describe_columns(Visitor& v, T& s) {
     v.text("number", s.number);
     v.reference("unit", s.unit);
@@ -210,7 +210,7 @@ void describe_columns(Visitor& v, T& s) {
     v.text("description", s.description);
 }
 
-template <class Visitor, Is<model::Document> T>
+template<class Visitor, Is<model::Document> T>
 void describe_columns(Visitor& v, T& d) {
     v.text("number", d.number);
     v.text("type", d.type);
@@ -221,7 +221,7 @@ void describe_columns(Visitor& v, T& d) {
     v.text("author", d.author);
 }
 
-template <class Visitor, Is<model::Surface> T>
+template<class Visitor, Is<model::Surface> T>
 void describe_columns(Visitor& v, T& s) {
     v.reference("area", s.area);
     v.text("name", s.name);
@@ -231,7 +231,7 @@ void describe_columns(Visitor& v, T& s) {
     v.integer("place", s.order);
 }
 
-template <class Visitor, Is<model::Section> T>
+template<class Visitor, Is<model::Section> T>
 void describe_columns(Visitor& v, T& s) {
     v.reference("area", s.area);
     v.text("name", s.name);
@@ -239,7 +239,7 @@ void describe_columns(Visitor& v, T& s) {
     v.text("day", s.day);
 }
 
-template <class Visitor, Is<model::Region> T>
+template<class Visitor, Is<model::Region> T>
 void describe_columns(Visitor& v, T& r) {
     v.reference("surface", r.surface);
     v.reference("section", r.section);
@@ -255,7 +255,7 @@ void describe_columns(Visitor& v, T& r) {
     v.text("notes", r.notes);
 }
 
-template <class Visitor, Is<model::Scan> T>
+template<class Visitor, Is<model::Scan> T>
 void describe_columns(Visitor& v, T& s) {
     v.text("name", s.name);
     v.text("day", s.day);
@@ -272,7 +272,7 @@ void describe_columns(Visitor& v, T& s) {
     v.numbers("header_pose", s.header_pose);
 }
 
-template <class Visitor, Is<model::ScanPose> T>
+template<class Visitor, Is<model::ScanPose> T>
 void describe_columns(Visitor& v, T& p) {
     v.reference("scan", p.scan);
     v.reference("run", p.run);
@@ -284,7 +284,7 @@ void describe_columns(Visitor& v, T& p) {
     v.text("verdict", p.verdict);
 }
 
-template <class Visitor, Is<model::RegistrationRun> T>
+template<class Visitor, Is<model::RegistrationRun> T>
 void describe_columns(Visitor& v, T& r) {
     v.text("name", r.name);
     v.text("made_at", r.made_at);
@@ -293,7 +293,7 @@ void describe_columns(Visitor& v, T& r) {
     v.text("report", r.report);
 }
 
-template <class Visitor, Is<model::Decision> T>
+template<class Visitor, Is<model::Decision> T>
 void describe_columns(Visitor& v, T& d) {
     v.text("subject_id", d.subject_id);
     v.text("kind", d.kind);
@@ -306,7 +306,7 @@ void describe_columns(Visitor& v, T& d) {
 }
 
 /// Added and dropped relations live in tables of their own.
-template <class Visitor, Is<model::Interpretation> T>
+template<class Visitor, Is<model::Interpretation> T>
 void describe_columns(Visitor& v, T& i) {
     v.text("name", i.name);
     v.reference("parent", i.parent);

@@ -40,7 +40,7 @@ class ReadingScope {
     bool own_;
 };
 
-template <class T>
+template<class T>
 std::vector<T> read_all(const sqlite::Database& database) {
     constexpr std::string_view kTable = TableOf<T>::name;
     sqlite::Statement rows = database.prepare(
@@ -63,7 +63,7 @@ std::vector<T> read_all(const sqlite::Database& database) {
     return values;
 }
 
-template <class T>
+template<class T>
 Ids ids_of(const std::vector<T>& values) {
     Ids ids;
     ids.reserve(values.size());
@@ -72,12 +72,12 @@ Ids ids_of(const std::vector<T>& values) {
 }
 
 /// Forgets a reference to a record that is not there.
-template <class Tag>
+template<class Tag>
 void loosen(Id<Tag>& id, const Ids& living) {
     if (!id.is_nil() && !living.contains(id.value)) id = {};
 }
 
-template <class T, class Keep>
+template<class T, class Keep>
 void keep_if(std::vector<T>& values, Keep keep) {
     std::erase_if(values, [&](const T& value) { return !keep(value); });
 }
@@ -107,7 +107,8 @@ void read_readings(const sqlite::Database& database, const Ids& units, std::vect
         model::PhysicalRelation relation;
         relation.id.value = reader.uuid("uuid");
         describe_columns(reader, relation);
-        if (it == place.end() || !units.contains(relation.subject.value) || !units.contains(relation.object.value)) continue;
+        if (it == place.end() || !units.contains(relation.subject.value) || !units.contains(relation.object.value))
+            continue;
         readings[it->second].added.push_back(relation);
     }
     sqlite::Statement dropped =
@@ -208,7 +209,8 @@ void mend_places(model::Record& record, const Ids& units) {
 
 model::ProjectSettings load_settings(const sqlite::Database& database) {
     const std::vector<model::ProjectSettings> all = read_all<model::ProjectSettings>(database);
-    if (all.empty()) throw Error(ErrorCode::BadInput, database.name() + ": the project has no settings: restore a backup");
+    if (all.empty())
+        throw Error(ErrorCode::BadInput, database.name() + ": the project has no settings: restore a backup");
     return all.front();
 }
 

@@ -14,7 +14,7 @@
 namespace planum::store {
 
 /// Columns of a type's table in the order of describe_columns().
-template <class T>
+template<class T>
 [[nodiscard]] const std::vector<std::string_view>& columns_of() {
     static const std::vector<std::string_view> names = [] {
         ColumnNames visitor;
@@ -39,7 +39,7 @@ void remove_record(ProjectFile::State& state, std::string_view table, std::strin
                             std::string_view noun, const std::string& name, const Uuid& area);
 
 /// What a record is called in messages; empty where it has no name of its own.
-template <class T>
+template<class T>
 [[nodiscard]] std::string name_of(const T& value) {
     if constexpr (requires { value.number; }) {
         return value.number;
@@ -50,7 +50,7 @@ template <class T>
     }
 }
 
-template <class T>
+template<class T>
 [[nodiscard]] Uuid area_of(const T& value) {
     if constexpr (requires { value.area.value; }) {
         return value.area.value;
@@ -59,7 +59,7 @@ template <class T>
     }
 }
 
-template <class T>
+template<class T>
 void insert_record(ProjectFile::State& state, const T& value, const Uuid& id) {
     constexpr std::string_view kTable = TableOf<T>::name;
     state.require_change(kTable);
@@ -76,7 +76,7 @@ void insert_record(ProjectFile::State& state, const T& value, const Uuid& id) {
     }
 }
 
-template <class T>
+template<class T>
 void update_record(ProjectFile::State& state, const T& value, const Uuid& id) {
     constexpr std::string_view kTable = TableOf<T>::name;
     state.require_change(kTable);

@@ -13,9 +13,7 @@
 
 namespace planum::store {
 
-void RowBinder::null() {
-    statement_->bind_null(index_++);
-}
+void RowBinder::null() { statement_->bind_null(index_++); }
 
 void RowBinder::text(std::string_view, const std::string& value) {
     if (value.empty()) {
@@ -25,9 +23,7 @@ void RowBinder::text(std::string_view, const std::string& value) {
     }
 }
 
-void RowBinder::integer(std::string_view, std::int64_t value) {
-    statement_->bind(index_++, value);
-}
+void RowBinder::integer(std::string_view, std::int64_t value) { statement_->bind(index_++, value); }
 
 void RowBinder::integer(std::string_view, const std::optional<std::int64_t>& value) {
     if (value) {
@@ -52,9 +48,7 @@ void RowBinder::real(std::string_view column, const std::optional<double>& value
     }
 }
 
-void RowBinder::boolean(std::string_view, bool value) {
-    statement_->bind(index_++, std::int64_t{value ? 1 : 0});
-}
+void RowBinder::boolean(std::string_view, bool value) { statement_->bind(index_++, std::int64_t{value ? 1 : 0}); }
 
 void RowBinder::uuid(const Uuid& id) {
     if (id.is_nil()) {

@@ -25,10 +25,11 @@ using SchemaItems = std::map<std::string, SchemaItem, std::less<>>;
 
 SchemaItems read_items(const sqlite::Database& database) {
     SchemaItems items;
-    sqlite::Statement rows = database.prepare("SELECT name, type, tbl_name, sql FROM sqlite_schema WHERE sql IS NOT NULL");
+    sqlite::Statement rows =
+        database.prepare("SELECT name, type, tbl_name, sql FROM sqlite_schema WHERE sql IS NOT NULL");
     while (rows.step()) {
-        items.emplace(std::string{rows.text(0)}, SchemaItem{std::string{rows.text(1)}, std::string{rows.text(2)},
-                                                            std::string{rows.text(3)}});
+        items.emplace(std::string{rows.text(0)},
+                      SchemaItem{std::string{rows.text(1)}, std::string{rows.text(2)}, std::string{rows.text(3)}});
     }
     return items;
 }
@@ -68,9 +69,7 @@ void check_table(const sqlite::Database& database, const sqlite::Database& refer
     findings.import_only_because.push_back(fmt::format("the table {} was rebuilt by another program", name));
 }
 
-std::string rtree_name(std::string_view layer) {
-    return fmt::format("rtree_{}_geom", layer);
-}
+std::string rtree_name(std::string_view layer) { return fmt::format("rtree_{}_geom", layer); }
 
 /// Text without regard to blanks, quotes and case, as programs differ in these when they fill in a template.
 std::string squeezed(std::string_view sql) {
@@ -86,7 +85,8 @@ std::string squeezed(std::string_view sql) {
 std::map<std::string, std::set<std::string>> rtree_templates(std::string_view layer) {
     const std::string tree = rtree_name(layer);
     const auto row = [&](std::string_view key) {
-        return fmt::format("VALUES (NEW.{0}, ST_MinX(NEW.geom), ST_MaxX(NEW.geom), ST_MinY(NEW.geom), ST_MaxY(NEW.geom))", key);
+        return fmt::format(
+            "VALUES (NEW.{0}, ST_MinX(NEW.geom), ST_MaxX(NEW.geom), ST_MinY(NEW.geom), ST_MaxY(NEW.geom))", key);
     };
     const std::string filled = "(NEW.geom NOT NULL AND NOT ST_IsEmpty(NEW.geom))";
     const std::string empty = "(NEW.geom IS NULL OR ST_IsEmpty(NEW.geom))";
@@ -114,9 +114,12 @@ std::map<std::string, std::set<std::string>> rtree_templates(std::string_view la
     const std::string old_filled = "(OLD.geom NOT NULL AND NOT ST_IsEmpty(OLD.geom))";
     const std::string old_empty = "(OLD.geom IS NULL OR ST_IsEmpty(OLD.geom))";
     const std::string change = fmt::format("UPDATE {} SET minx = ST_MinX(NEW.geom), maxx = ST_MaxX(NEW.geom), "
-                                           "miny = ST_MinY(NEW.geom), maxy = ST_MaxY(NEW.geom) WHERE id = NEW.fid;", tree);
-    out[tree + "_update6"] = {trigger("update6", on("UPDATE OF geom", "WHEN " + same_fid + filled + " AND " + old_filled), change)};
-    out[tree + "_update7"] = {trigger("update7", on("UPDATE OF geom", "WHEN " + same_fid + filled + " AND " + old_empty),
+                                           "miny = ST_MinY(NEW.geom), maxy = ST_MaxY(NEW.geom) WHERE id = NEW.fid;",
+                                           tree);
+    out[tree + "_update6"] = {
+        trigger("update6", on("UPDATE OF geom", "WHEN " + same_fid + filled + " AND " + old_filled), change)};
+    out[tree + "_update7"] = {trigger("update7",
+                                      on("UPDATE OF geom", "WHEN " + same_fid + filled + " AND " + old_empty),
                                       fmt::format("INSERT INTO {} {};", tree, row("fid")))};
     out[tree + "_delete"] = {trigger("delete", on("DELETE", "WHEN OLD.geom NOT NULL"), drop_old)};
     return out;
@@ -141,9 +144,8 @@ bool is_on_ours(const SchemaItem& item, const SchemaItems& reference) {
         return (it != reference.end() && is_table(it->second)) || reference.contains(item.table);
     }
     const std::string sql = text::fold_case(item.sql);
-    return std::any_of(reference.begin(), reference.end(), [&](const auto& entry) {
-        return is_table(entry.second) && is_word_in(entry.first, sql);
-    });
+    return std::any_of(reference.begin(), reference.end(),
+                       [&](const auto& entry) { return is_table(entry.second) && is_word_in(entry.first, sql); });
 }
 
 void check_foreign_items(const SchemaItems& theirs, const SchemaItems& ours, SchemaFindings& findings) {
@@ -170,17 +172,37 @@ void check_foreign_items(const SchemaItems& theirs, const SchemaItems& ours, Sch
 
 const std::vector<std::string>& record_tables() {
     static const std::vector<std::string> tables = {
-        "project", "area", "source", "import_note", "period", "phase", "unit", "relation", "relation_statement",
-        "unit_group", "group_member", "level", "find", "dating", "sample", "document", "surface", "section",
-        "region", "scan", "registration_run", "scan_pose", "decision", "interpretation", "interpretation_added",
+        "project",
+        "area",
+        "source",
+        "import_note",
+        "period",
+        "phase",
+        "unit",
+        "relation",
+        "relation_statement",
+        "unit_group",
+        "group_member",
+        "level",
+        "find",
+        "dating",
+        "sample",
+        "document",
+        "surface",
+        "section",
+        "region",
+        "scan",
+        "registration_run",
+        "scan_pose",
+        "decision",
+        "interpretation",
+        "interpretation_added",
         "interpretation_dropped",
     };
     return tables;
 }
 
-void create_schema(const sqlite::Database& database) {
-    migrate(database, 0);
-}
+void create_schema(const sqlite::Database& database) { migrate(database, 0); }
 
 void migrate(const sqlite::Database& database, std::int64_t version) {
     for (const EmbeddedMigration& migration : embedded_migrations()) {
@@ -194,7 +216,8 @@ std::int64_t read_schema_version(const sqlite::Database& database) {
     }
     const std::string said = database.text("SELECT value FROM planum_meta WHERE key = 'schema_version'");
     const auto version = text::parse_integer(said);
-    if (!version || *version < 1) throw Error(ErrorCode::BadInput, database.name() + ": the project has no schema version");
+    if (!version || *version < 1)
+        throw Error(ErrorCode::BadInput, database.name() + ": the project has no schema version");
     return *version;
 }
 

@@ -47,10 +47,14 @@ void add_spatial_reference(const sqlite::Database& database, std::int64_t srs_id
     if (known.bind(":srs", srs_id).step()) return;
     const auto system = geometry::coordinate_system_of_epsg(srs_id);
     if (!system) {
-        throw Error(ErrorCode::BadInput, fmt::format("no coordinate system EPSG:{} is known; use -1 for a local grid", srs_id));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("no coordinate system EPSG:{} is known; use -1 for a local grid", srs_id));
     }
     sqlite::Statement add = database.prepare(kAddSystem);
-    add.bind(":name", std::string_view{system->name}).bind(":srs", srs_id).bind(":wkt", std::string_view{system->wkt}).run();
+    add.bind(":name", std::string_view{system->name})
+        .bind(":srs", srs_id)
+        .bind(":wkt", std::string_view{system->wkt})
+        .run();
 }
 
 void sync_spatial_reference(ProjectFile::State& state) {

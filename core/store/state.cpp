@@ -27,13 +27,9 @@ void check_whole_file(const std::filesystem::path& file, sqlite::Access access) 
 
 } // namespace
 
-std::string ProjectFile::State::now() const {
-    return environment.clock->now();
-}
+std::string ProjectFile::State::now() const { return environment.clock->now(); }
 
-Uuid ProjectFile::State::new_uuid() const {
-    return environment.uuids->next();
-}
+Uuid ProjectFile::State::new_uuid() const { return environment.uuids->next(); }
 
 void ProjectFile::State::start_check() {
     // A read-only database connection of its own, so that reading the record goes on beside it.

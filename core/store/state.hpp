@@ -34,7 +34,7 @@ struct ProjectFile::State {
     std::int32_t srs_id = -1; ///< of the geometries that are written
 
     std::map<std::string, TableStatements, std::less<>> statements;
-    std::set<std::string, std::less<>> touched; ///< tables written by the change that is under way
+    std::set<std::string, std::less<>> touched;                ///< tables written by the change that is under way
     std::map<std::string, std::int64_t, std::less<>> unlogged; ///< table → first row inserted since log_inserts()
     bool in_change = false;
 

@@ -86,7 +86,8 @@ class UndoLog {
         const std::vector<std::string>& columns = columns_of(row.table);
         const auto& values = row.operation == sqlite::RowOperation::Delete ? row.before : row.after;
         if (row.operation != sqlite::RowOperation::Update) {
-            const auto at = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "uuid") - columns.begin());
+            const auto at =
+                static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "uuid") - columns.begin());
             const bool known = at < values.size() && values[at];
             write(row.table, known ? values[at]->text : std::string{}, {}, {}, {});
             return;
@@ -107,7 +108,8 @@ class UndoLog {
     std::string uuid_of(const sqlite::ChangedRow& row) {
         auto it = uuid_queries_.find(row.table);
         if (it == uuid_queries_.end()) {
-            const std::string sql = fmt::format("SELECT uuid FROM {} WHERE fid = :fid", sqlite::quote_identifier(row.table));
+            const std::string sql =
+                fmt::format("SELECT uuid FROM {} WHERE fid = :fid", sqlite::quote_identifier(row.table));
             it = uuid_queries_.emplace(std::string{row.table}, state_->database.prepare(sql)).first;
         }
         it->second.reset();
@@ -118,13 +120,17 @@ class UndoLog {
     void write(std::string_view table, std::string_view uuid, std::string_view field,
                const std::optional<sqlite::LoggedValue>& before, const std::optional<sqlite::LoggedValue>& after) {
         const auto put = [&](std::string_view name, const std::optional<sqlite::LoggedValue>& value) {
-            if (value && !value->null) insert_.bind(name, std::string_view{value->text});
-            else insert_.bind_null(name);
+            if (value && !value->null)
+                insert_.bind(name, std::string_view{value->text});
+            else
+                insert_.bind_null(name);
         };
         insert_.bind(":now", std::string_view{time_}).bind(":author", std::string_view{state_->environment.author});
         insert_.bind(":action", action_).bind(":table", table).bind(":record", uuid).bind(":number", number_);
-        if (field.empty()) insert_.bind_null(":field");
-        else insert_.bind(":field", field);
+        if (field.empty())
+            insert_.bind_null(":field");
+        else
+            insert_.bind(":field", field);
         put(":old", before);
         put(":new", after);
         insert_.run();
@@ -163,8 +169,9 @@ void apply_changeset(const ProjectFile::State& state, const Step& step, const Ch
     const std::string what = fmt::format("{} \"{}\"", step.action, entry.label);
     const auto conflict = sqlite::apply(database, changes, step.direction, record_tables());
     if (conflict) {
-        throw Error(ErrorCode::Conflict, fmt::format("{}: {}: {} was changed since by another program; nothing was done",
-                                                     state.file.string(), what, what_is(database, *conflict)));
+        throw Error(ErrorCode::Conflict,
+                    fmt::format("{}: {}: {} was changed since by another program; nothing was done",
+                                state.file.string(), what, what_is(database, *conflict)));
     }
     UndoLog log(state, step.action, entry.number);
     bool removed = false;
@@ -177,8 +184,9 @@ void apply_changeset(const ProjectFile::State& state, const Step& step, const Ch
 
 std::set<std::string, std::less<>> tables_of(const sqlite::Changeset& changes) {
     std::set<std::string, std::less<>> tables;
-    sqlite::for_each_row(changes, sqlite::Direction::Forward,
-                         [&](const sqlite::ChangedRow& row) { if (!tables.contains(row.table)) tables.emplace(row.table); });
+    sqlite::for_each_row(changes, sqlite::Direction::Forward, [&](const sqlite::ChangedRow& row) {
+        if (!tables.contains(row.table)) tables.emplace(row.table);
+    });
     return tables;
 }
 
@@ -228,12 +236,8 @@ sqlite::Changeset read_changeset(const sqlite::Database& database, std::int64_t 
     return changes;
 }
 
-ChangeEntry take_back(ProjectFile::State& state) {
-    return run_step(state, kUndo);
-}
+ChangeEntry take_back(ProjectFile::State& state) { return run_step(state, kUndo); }
 
-ChangeEntry make_again(ProjectFile::State& state) {
-    return run_step(state, kRedo);
-}
+ChangeEntry make_again(ProjectFile::State& state) { return run_step(state, kRedo); }
 
 } // namespace planum::store

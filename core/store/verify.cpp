@@ -79,7 +79,8 @@ void check_references(const sqlite::Database& database, Problems& problems) {
 void check_rules(const sqlite::Database& database, Problems& problems) {
     for (const Rule& rule : kRules) {
         sqlite::Statement rows = database.prepare(rule.sql);
-        while (rows.step()) problems.push_back({fmt::format("{} {}", rule.where, rows.text(0)), std::string{rule.what}});
+        while (rows.step())
+            problems.push_back({fmt::format("{} {}", rule.where, rows.text(0)), std::string{rule.what}});
     }
     for (const std::string& table : record_tables()) {
         sqlite::Statement rows = database.prepare(fmt::format("SELECT fid, uuid FROM {}", table));
@@ -146,10 +147,10 @@ std::vector<VerifyProblem> ProjectFile::verify(Progress& progress) const {
     }
     using Step = void (*)(const sqlite::Database&, Problems&);
     constexpr std::array<std::pair<std::string_view, Step>, 5> kSteps = {{{"checking pages", &check_pages},
-                                                                         {"checking references", &check_references},
-                                                                         {"checking rules", &check_rules},
-                                                                         {"checking changes", &check_changes},
-                                                                         {"reading the record", &check_readable}}};
+                                                                          {"checking references", &check_references},
+                                                                          {"checking rules", &check_rules},
+                                                                          {"checking changes", &check_changes},
+                                                                          {"reading the record", &check_readable}}};
     for (const auto& [name, step] : kSteps) {
         progress.check();
         progress.step(name);

@@ -9,13 +9,13 @@
 namespace planum::store {
 
 /// The model's word tables under one name, so that a column needs to know its enumeration only.
-template <class Enum>
+template<class Enum>
 [[nodiscard]] std::optional<Enum> value_of_word(std::string_view word) noexcept = delete;
 
-#define PLANUM_STORE_WORD(Enum, function)                                                                          \
-    template <>                                                                                                    \
-    [[nodiscard]] inline std::optional<model::Enum> value_of_word<model::Enum>(std::string_view word) noexcept {   \
-        return model::function(word);                                                                              \
+#define PLANUM_STORE_WORD(Enum, function)                                                                              \
+    template<>                                                                                                         \
+    [[nodiscard]] inline std::optional<model::Enum> value_of_word<model::Enum>(std::string_view word) noexcept {       \
+        return model::function(word);                                                                                  \
     }
 
 PLANUM_STORE_WORD(DigMethod, dig_method_from_word)

@@ -21,16 +21,13 @@ namespace planum::scans {
 namespace {
 
 [[noreturn]] void unsound(const std::string& what) {
-    throw Error(ErrorCode::BadInput,
-                "no sound point store: " + what + "; make it anew from the original scan");
+    throw Error(ErrorCode::BadInput, "no sound point store: " + what + "; make it anew from the original scan");
 }
 
 // Wide enough that no sum of two of them overflows.
 constexpr std::uint64_t kLargestFile = 1ULL << 60U;
 
-Eigen::Vector3d vector_of(const std::array<double, 3>& a) noexcept {
-    return {a[0], a[1], a[2]};
-}
+Eigen::Vector3d vector_of(const std::array<double, 3>& a) noexcept { return {a[0], a[1], a[2]}; }
 
 } // namespace
 
@@ -72,8 +69,8 @@ void PointStore::State::check_header() {
     std::memcpy(&header, bytes.data(), sizeof header);
     if (header.magic != kStoreMagic) unsound("it does not start as one");
     if (header.version != kStoreVersion) {
-        throw Error(ErrorCode::BadInput, fmt::format("point store of version {}, this program knows {}",
-                                                     header.version, kStoreVersion));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("point store of version {}, this program knows {}", header.version, kStoreVersion));
     }
     if (crc32c(bytes.first(offsetof(StoreHeaderRecord, header_checksum))) != header.header_checksum)
         unsound("its header is damaged");
@@ -81,17 +78,13 @@ void PointStore::State::check_header() {
         unsound(fmt::format("{} bytes instead of {}", bytes.size(), header.file_bytes));
     }
     // No number is believed because a checksum fits: whoever writes the file can write that, too.
-    const bool nodes_fit = header.nodes_at <= bytes.size() &&
-                           header.nodes_at % alignof(StoreNodeRecord) == 0 &&
+    const bool nodes_fit = header.nodes_at <= bytes.size() && header.nodes_at % alignof(StoreNodeRecord) == 0 &&
                            header.nodes <= (bytes.size() - header.nodes_at) / sizeof(StoreNodeRecord) &&
                            header.nodes < 0xFFFFFFFFULL && header.roots <= header.nodes;
-    const bool text_fits =
-        header.text_at <= bytes.size() && header.text_bytes <= bytes.size() - header.text_at;
+    const bool text_fits = header.text_at <= bytes.size() && header.text_bytes <= bytes.size() - header.text_at;
     if (!nodes_fit || !text_fits) unsound("its tables lie outside of it");
-    if (header.root_edge != kRootEdge || !vector_of(header.origin).allFinite())
-        unsound("its frame is impossible");
-    if (crc32c(bytes.subspan(header.nodes_at, header.nodes * sizeof(StoreNodeRecord))) !=
-        header.nodes_checksum)
+    if (header.root_edge != kRootEdge || !vector_of(header.origin).allFinite()) unsound("its frame is impossible");
+    if (crc32c(bytes.subspan(header.nodes_at, header.nodes * sizeof(StoreNodeRecord))) != header.nodes_checksum)
         unsound("its node table is damaged");
     if (crc32c(bytes.subspan(header.text_at, header.text_bytes)) != header.text_checksum)
         unsound("its description is damaged");
@@ -144,8 +137,8 @@ void PointStore::State::read_text() {
     const auto number = [](std::string_view value) {
         return static_cast<std::uint64_t>(text::parse_integer(value).value_or(0));
     };
-    for (const std::string_view line : text::split(
-             {map.bytes().data() + header.text_at, static_cast<std::size_t>(header.text_bytes)}, '\n')) {
+    for (const std::string_view line :
+         text::split({map.bytes().data() + header.text_at, static_cast<std::size_t>(header.text_bytes)}, '\n')) {
         const std::size_t cut = line.find(' ');
         if (cut == std::string_view::npos) continue;
         const std::string_view key = line.substr(0, cut);
@@ -192,9 +185,8 @@ NodeView PointStore::State::view(std::uint32_t node) const {
         if (!is_sound(node)) {
             throw Error(
                 ErrorCode::BadInput,
-                fmt::format(
-                    "{}: block {} with {} points is damaged; make the store anew from the original scan",
-                    file.string(), node, n.points));
+                fmt::format("{}: block {} with {} points is damaged; make the store anew from the original scan",
+                            file.string(), node, n.points));
         }
         checked[node].store(1, std::memory_order_relaxed);
     }
@@ -202,8 +194,7 @@ NodeView PointStore::State::view(std::uint32_t node) const {
     const double edge = std::ldexp(kRootEdge, -n.depth);
     view.step = edge / 65536.0;
     for (int k = 0; k < 3; ++k) {
-        view.corner[k] =
-            header.origin[static_cast<std::size_t>(k)] + edge * n.cell[static_cast<std::size_t>(k)];
+        view.corner[k] = header.origin[static_cast<std::size_t>(k)] + edge * n.cell[static_cast<std::size_t>(k)];
     }
     view.count = n.points;
     const auto* at = reinterpret_cast<const std::uint16_t*>(block_of(node).data());
@@ -212,8 +203,7 @@ NodeView PointStore::State::view(std::uint32_t node) const {
         at += n.points;
         return here;
     };
-    for (const std::uint16_t*& axis : view.axis)
-        axis = next();
+    for (const std::uint16_t*& axis : view.axis) axis = next();
     if (info.has.intensity) view.intensity = next();
     if (info.has.grid) {
         view.row = next();

@@ -66,8 +66,7 @@ void SpillFile::read(std::uint64_t first, std::span<PackedPoint> out) const {
 }
 
 void PointBucket::grow() {
-    const std::size_t size =
-        chunks_.empty() ? kSmallestChunk : std::min(chunks_.back().capacity() * 2, kLargestChunk);
+    const std::size_t size = chunks_.empty() ? kSmallestChunk : std::min(chunks_.back().capacity() * 2, kLargestChunk);
     chunks_.emplace_back();
     chunks_.back().reserve(size);
     memory_ += size * sizeof(PackedPoint);
@@ -96,8 +95,7 @@ void PointBucket::for_each_piece(const SpillFile& file,
             take(piece);
         }
     }
-    for (const std::vector<PackedPoint>& chunk : chunks_)
-        take(chunk);
+    for (const std::vector<PackedPoint>& chunk : chunks_) take(chunk);
 }
 
 std::vector<PackedPoint> PointBucket::take_all(const SpillFile& file) {

@@ -50,8 +50,7 @@ class PointBucket {
     void spill(SpillFile& file);
 
     /// Hands all points over in order, in pieces.
-    void for_each_piece(const SpillFile& file,
-                        const std::function<void(std::span<const PackedPoint>)>& take) const;
+    void for_each_piece(const SpillFile& file, const std::function<void(std::span<const PackedPoint>)>& take) const;
 
     /// All points in one array; the bucket is empty afterwards.
     [[nodiscard]] std::vector<PackedPoint> take_all(const SpillFile& file);

@@ -22,8 +22,7 @@ enum class Overlap { None, Some, All };
 template<class Visit>
 void for_children(const StoreNodeRecord& node, Visit visit) {
     const auto count = static_cast<std::uint32_t>(std::popcount(node.child_mask));
-    for (std::uint32_t i = 0; i < count; ++i)
-        visit(node.first_child + i);
+    for (std::uint32_t i = 0; i < count; ++i) visit(node.first_child + i);
 }
 
 void copy_point(const NodeView& view, std::uint32_t i, FoundPoints& found) {
@@ -50,8 +49,7 @@ void clear(FoundPoints& found, std::uint32_t node) {
 void copy_all(const NodeView& view, FoundPoints& found, const Columns& columns) {
     const std::size_t count = view.count;
     found.index.resize(count);
-    for (std::uint32_t i = 0; i < view.count; ++i)
-        found.index[i] = i;
+    for (std::uint32_t i = 0; i < view.count; ++i) found.index[i] = i;
     PointBlock& to = found.points;
     to.resize(count, columns);
     for (std::size_t i = 0; i < count; ++i) {
@@ -89,8 +87,7 @@ void filter_node(const NodeView& view, Overlap overlap, const Columns& columns, 
 }
 
 Overlap box_overlap(const Box& box, const Box& node) noexcept {
-    if ((node.minimum.array() > box.maximum.array()).any() ||
-        (node.maximum.array() < box.minimum.array()).any())
+    if ((node.minimum.array() > box.maximum.array()).any() || (node.maximum.array() < box.minimum.array()).any())
         return Overlap::None;
     return box.contains(node.minimum) && box.contains(node.maximum) ? Overlap::All : Overlap::Some;
 }
@@ -175,30 +172,19 @@ PointStore PointStore::open(const std::filesystem::path& file) {
     }
 }
 
-const StoreInfo& PointStore::info() const noexcept {
-    return state_->info;
-}
+const StoreInfo& PointStore::info() const noexcept { return state_->info; }
 
-std::uint64_t PointStore::points() const noexcept {
-    return state_->header.points;
-}
+std::uint64_t PointStore::points() const noexcept { return state_->header.points; }
 
-std::uint64_t PointStore::file_bytes() const noexcept {
-    return state_->header.file_bytes;
-}
+std::uint64_t PointStore::file_bytes() const noexcept { return state_->header.file_bytes; }
 
-const Bounds& PointStore::bounds() const noexcept {
-    return state_->bounds;
-}
+const Bounds& PointStore::bounds() const noexcept { return state_->bounds; }
 
-std::span<const StoreNodeRecord> PointStore::nodes() const noexcept {
-    return state_->nodes;
-}
+std::span<const StoreNodeRecord> PointStore::nodes() const noexcept { return state_->nodes; }
 
 PointBlock PointStore::read_node(std::uint32_t node) const {
     if (node >= state_->nodes.size())
-        throw Error(ErrorCode::Usage,
-                    fmt::format("no node {}: the store has {}", node, state_->nodes.size()));
+        throw Error(ErrorCode::Usage, fmt::format("no node {}: the store has {}", node, state_->nodes.size()));
     FoundPoints found;
     copy_all(state_->view(node), found, state_->info.has);
     return std::move(found.points);
@@ -228,8 +214,8 @@ namespace {
 
 /// Walks down from the roots: `overlap` of a node's box decides whether its points and children matter.
 template<class OverlapOf, class Contains>
-void walk(const std::vector<std::uint32_t>& roots, std::span<const StoreNodeRecord> nodes,
-          const OverlapOf& overlap_of, const Contains& look_at) {
+void walk(const std::vector<std::uint32_t>& roots, std::span<const StoreNodeRecord> nodes, const OverlapOf& overlap_of,
+          const Contains& look_at) {
     std::vector<std::uint32_t> waiting(roots.rbegin(), roots.rend());
     while (!waiting.empty()) {
         const std::uint32_t node = waiting.back();
@@ -245,8 +231,7 @@ void walk(const std::vector<std::uint32_t>& roots, std::span<const StoreNodeReco
 
 std::vector<std::uint32_t> first_nodes(std::uint64_t count) {
     std::vector<std::uint32_t> roots(static_cast<std::size_t>(count));
-    for (std::uint32_t i = 0; i < roots.size(); ++i)
-        roots[i] = i;
+    for (std::uint32_t i = 0; i < roots.size(); ++i) roots[i] = i;
     return roots;
 }
 
@@ -256,13 +241,11 @@ void PointStore::in_box(const Box& box, const FoundSink& sink) const {
     const State& s = *state_;
     FoundPoints found;
     walk(
-        first_nodes(s.header.roots), s.nodes,
-        [&](std::uint32_t node) { return box_overlap(box, s.box_of(node)); },
+        first_nodes(s.header.roots), s.nodes, [&](std::uint32_t node) { return box_overlap(box, s.box_of(node)); },
         [&](std::uint32_t node, Overlap overlap) {
             clear(found, node);
             filter_node(
-                s.view(node), overlap, s.info.has, [&](const Eigen::Vector3d& x) { return box.contains(x); },
-                found);
+                s.view(node), overlap, s.info.has, [&](const Eigen::Vector3d& x) { return box.contains(x); }, found);
             if (!found.index.empty()) sink(found);
         });
 }
@@ -279,22 +262,19 @@ void PointStore::in_prism(const Prism& prism, const FoundSink& sink) const {
     around.maximum.array() += 1e-9;
     const auto overlap_of = [&](std::uint32_t node) {
         // The polygon's own shape is tested point by point.
-        return box_overlap(around, turned(prism.prism_from_scan, s.box_of(node))) == Overlap::None
-                   ? Overlap::None
-                   : Overlap::Some;
+        return box_overlap(around, turned(prism.prism_from_scan, s.box_of(node))) == Overlap::None ? Overlap::None
+                                                                                                   : Overlap::Some;
     };
     FoundPoints found;
     walk(first_nodes(s.header.roots), s.nodes, overlap_of, [&](std::uint32_t node, Overlap overlap) {
         clear(found, node);
         filter_node(
-            s.view(node), overlap, s.info.has, [&](const Eigen::Vector3d& x) { return prism.contains(x); },
-            found);
+            s.view(node), overlap, s.info.has, [&](const Eigen::Vector3d& x) { return prism.contains(x); }, found);
         if (!found.index.empty()) sink(found);
     });
 }
 
-std::uint64_t PointStore::in_frustum(const Frustum& frustum, std::uint64_t budget,
-                                     const FoundSink& sink) const {
+std::uint64_t PointStore::in_frustum(const Frustum& frustum, std::uint64_t budget, const FoundSink& sink) const {
     const State& s = *state_;
     std::priority_queue<Waiting> waiting;
     const auto offer = [&](std::uint32_t node) {
@@ -310,24 +290,21 @@ std::uint64_t PointStore::in_frustum(const Frustum& frustum, std::uint64_t budge
         const Overlap overlap = plane_overlap(frustum, s.box_of(node));
         clear(found, node);
         filter_node(
-            s.view(node), overlap, s.info.has, [&](const Eigen::Vector3d& x) { return frustum.contains(x); },
-            found);
+            s.view(node), overlap, s.info.has, [&](const Eigen::Vector3d& x) { return frustum.contains(x); }, found);
     };
     std::uint64_t in_roots = 0;
     for (std::uint32_t root = 0; root < s.header.roots; ++root) {
         if (offer(root)) in_roots += s.nodes[root].points;
     }
     // Where not even the roots fit, each gives the same share, so that nothing near or far is missing.
-    const double share =
-        in_roots <= budget ? 1.0 : static_cast<double>(budget) / static_cast<double>(in_roots);
+    const double share = in_roots <= budget ? 1.0 : static_cast<double>(budget) / static_cast<double>(in_roots);
     std::uint64_t given = 0;
     while (!waiting.empty() && given < budget) {
         const std::uint32_t node = waiting.top().node;
         waiting.pop();
         look_at(node);
         if (share < 1.0)
-            keep_first(found, static_cast<std::size_t>(share * static_cast<double>(found.index.size())),
-                       s.info.has);
+            keep_first(found, static_cast<std::size_t>(share * static_cast<double>(found.index.size())), s.info.has);
         keep_first(found, static_cast<std::size_t>(budget - given), s.info.has);
         given += found.index.size();
         if (!found.index.empty()) sink(found);
@@ -343,8 +320,7 @@ std::optional<PickedPoint> PointStore::pick(const Ray& ray) const {
         const double reach = first_reach(ray, s.box_of(node));
         if (std::isfinite(reach)) waiting.push({-reach, node});
     };
-    for (std::uint32_t root = 0; root < s.header.roots; ++root)
-        offer(root);
+    for (std::uint32_t root = 0; root < s.header.roots; ++root) offer(root);
     std::optional<PickedPoint> best;
     while (!waiting.empty()) {
         const Waiting next = waiting.top();
@@ -355,8 +331,7 @@ std::optional<PickedPoint> PointStore::pick(const Ray& ray) const {
             const Eigen::Vector3d x = view.place(i);
             const double along = ray.hit(x);
             const PointRef ref{next.node, i};
-            const bool nearer =
-                !best || along < best->distance || (along == best->distance && ref < best->ref);
+            const bool nearer = !best || along < best->distance || (along == best->distance && ref < best->ref);
             if (along >= 0.0 && nearer) best = PickedPoint{ref, x, along};
         }
         for_children(s.nodes[next.node], offer);
@@ -372,9 +347,7 @@ void PointStore::brush(const Ray& ray, double depth, const FoundSink& sink) cons
     FoundPoints found;
     walk(
         first_nodes(s.header.roots), s.nodes,
-        [&](std::uint32_t node) {
-            return first_reach(ray, s.box_of(node)) <= last ? Overlap::Some : Overlap::None;
-        },
+        [&](std::uint32_t node) { return first_reach(ray, s.box_of(node)) <= last ? Overlap::Some : Overlap::None; },
         [&](std::uint32_t node, Overlap overlap) {
             clear(found, node);
             const auto touched = [&](const Eigen::Vector3d& x) {
@@ -389,11 +362,8 @@ void PointStore::brush(const Ray& ray, double depth, const FoundSink& sink) cons
 std::optional<PickedPoint> PointStore::nearest(const Eigen::Vector3d& x_in_scan, double most) const {
     const State& s = *state_;
     std::priority_queue<Waiting> waiting;
-    const auto offer = [&](std::uint32_t node) {
-        waiting.push({-squared_distance(s.box_of(node), x_in_scan), node});
-    };
-    for (std::uint32_t root = 0; root < s.header.roots; ++root)
-        offer(root);
+    const auto offer = [&](std::uint32_t node) { waiting.push({-squared_distance(s.box_of(node), x_in_scan), node}); };
+    for (std::uint32_t root = 0; root < s.header.roots; ++root) offer(root);
     std::optional<PickedPoint> best;
     double best_squared = most * most;
     while (!waiting.empty()) {
@@ -405,8 +375,7 @@ std::optional<PickedPoint> PointStore::nearest(const Eigen::Vector3d& x_in_scan,
             const Eigen::Vector3d x = view.place(i);
             const double squared = (x - x_in_scan).squaredNorm();
             const PointRef ref{next.node, i};
-            const bool nearer =
-                squared < best_squared || (squared == best_squared && (!best || ref < best->ref));
+            const bool nearer = squared < best_squared || (squared == best_squared && (!best || ref < best->ref));
             if (!nearer) continue;
             best_squared = squared;
             best = PickedPoint{ref, x, std::sqrt(squared)};

@@ -76,8 +76,7 @@ std::string info_text(const StoreInfo& info) {
     line("intensity_scale", fmt::format("{}", info.intensity.scale));
     line("rows", fmt::format("{}", info.rows));
     line("columns", fmt::format("{}", info.columns));
-    for (const std::string& attribute : info.attributes)
-        line("attribute", attribute);
+    for (const std::string& attribute : info.attributes) line("attribute", attribute);
     return out;
 }
 
@@ -107,15 +106,14 @@ struct StoreBuilder::State {
     }
 
     void spill_all() {
-        for (auto& [cell, bucket] : roots)
-            bucket.spill(spill);
+        for (auto& [cell, bucket] : roots) bucket.spill(spill);
         in_memory = 0;
     }
 
     std::int64_t build_bucket(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter);
     std::int64_t divide_on_disk(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter);
-    std::int64_t build_in_memory(std::span<PackedPoint> points, std::span<PackedPoint> scratch,
-                                 const Cell& cell, unsigned depth);
+    std::int64_t build_in_memory(std::span<PackedPoint> points, std::span<PackedPoint> scratch, const Cell& cell,
+                                 unsigned depth);
     void write_block(StoreNodeRecord& node, std::span<const PackedPoint> unordered);
     std::vector<StoreNodeRecord> ordered_nodes(const std::vector<std::int64_t>& root_nodes) const;
 
@@ -169,8 +167,7 @@ void StoreBuilder::add(const PointBlock& block) {
             if (!near) break;
             cell[axis] = static_cast<std::int32_t>(whole);
             // Just below the next cube rounding may give 1.0 exactly.
-            point.place[axis] =
-                static_cast<std::uint32_t>(std::min((along - whole) * 4294967296.0, 4294967295.0));
+            point.place[axis] = static_cast<std::uint32_t>(std::min((along - whole) * 4294967296.0, 4294967295.0));
         }
         if (!near) {
             ++s.too_far;
@@ -208,8 +205,7 @@ void StoreBuilder::State::write_block(StoreNodeRecord& node, std::span<const Pac
         }
     };
     const unsigned depth = node.depth;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        put([&](const PackedPoint& p) { return p.step(axis, depth); });
+    for (std::size_t axis = 0; axis < 3; ++axis) put([&](const PackedPoint& p) { return p.step(axis, depth); });
     if ((header.flags & kStoreIntensity) != 0) put([](const PackedPoint& p) { return p.intensity; });
     if ((header.flags & kStoreGrid) != 0) {
         put([](const PackedPoint& p) { return p.row; });
@@ -229,15 +225,13 @@ void StoreBuilder::State::write_block(StoreNodeRecord& node, std::span<const Pac
     written += count;
 }
 
-std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points,
-                                                  std::span<PackedPoint> scratch, const Cell& cell,
-                                                  unsigned depth) {
+std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points, std::span<PackedPoint> scratch,
+                                                  const Cell& cell, unsigned depth) {
     const auto index = static_cast<std::int64_t>(nodes.size());
     nodes.emplace_back();
     StoreNodeRecord node = empty_node(cell, depth);
     node.subtree_points = points.size();
-    for (const PackedPoint& point : points)
-        widen(node, point);
+    for (const PackedPoint& point : points) widen(node, point);
     if (points.size() <= kLeafPoints || depth == kDeepest) {
         write_block(node, points);
         nodes[static_cast<std::size_t>(index)].record = node;
@@ -254,18 +248,16 @@ std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points,
         ++counts[code];
     }
     std::array<std::size_t, 9> from{};
-    for (std::size_t code = 1; code < 9; ++code)
-        from[code] = from[code - 1] + counts[code - 1];
+    for (std::size_t code = 1; code < 9; ++code) from[code] = from[code - 1] + counts[code - 1];
     std::array<std::size_t, 9> to = from;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        scratch[to[codes[i]]++] = points[i];
+    for (std::size_t i = 0; i < points.size(); ++i) scratch[to[codes[i]]++] = points[i];
     write_block(node, scratch.subspan(from[kKept], counts[kKept]));
     for (unsigned octant = 0; octant < 8; ++octant) {
         if (counts[octant] == 0) continue;
         node.child_mask = static_cast<std::uint8_t>(node.child_mask | 1U << octant);
-        const std::int64_t child = build_in_memory(scratch.subspan(from[octant], counts[octant]),
-                                                   points.subspan(from[octant], counts[octant]),
-                                                   child_cell(cell, octant), depth + 1);
+        const std::int64_t child =
+            build_in_memory(scratch.subspan(from[octant], counts[octant]), points.subspan(from[octant], counts[octant]),
+                            child_cell(cell, octant), depth + 1);
         nodes[static_cast<std::size_t>(index)].children[octant] = child;
     }
     nodes[static_cast<std::size_t>(index)].record = node;
@@ -273,8 +265,7 @@ std::int64_t StoreBuilder::State::build_in_memory(std::span<PackedPoint> points,
 }
 
 // A cube with more points than fit: the sample stays in memory, the rest goes to eight buckets.
-std::int64_t StoreBuilder::State::divide_on_disk(PointBucket& bucket, const Cell& cell, unsigned depth,
-                                                 Meter& meter) {
+std::int64_t StoreBuilder::State::divide_on_disk(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter) {
     const auto index = static_cast<std::int64_t>(nodes.size());
     nodes.emplace_back();
     StoreNodeRecord node = empty_node(cell, depth);
@@ -310,12 +301,10 @@ std::int64_t StoreBuilder::State::divide_on_disk(PointBucket& bucket, const Cell
     return index;
 }
 
-std::int64_t StoreBuilder::State::build_bucket(PointBucket& bucket, const Cell& cell, unsigned depth,
-                                               Meter& meter) {
+std::int64_t StoreBuilder::State::build_bucket(PointBucket& bucket, const Cell& cell, unsigned depth, Meter& meter) {
     meter.at(written);
     const bool fits = bucket.count() * 2 * sizeof(PackedPoint) <= options.memory_bytes;
-    if (!fits && bucket.count() > kLeafPoints && depth < kDeepest)
-        return divide_on_disk(bucket, cell, depth, meter);
+    if (!fits && bucket.count() > kLeafPoints && depth < kDeepest) return divide_on_disk(bucket, cell, depth, meter);
     if (bucket.count() > 0xFFFFFFFFULL)
         throw Error(ErrorCode::BadInput, "over four thousand million points within a tenth of a millimetre");
     in_memory -= bucket.memory();
@@ -325,16 +314,14 @@ std::int64_t StoreBuilder::State::build_bucket(PointBucket& bucket, const Cell& 
 }
 
 // Level by level, so that the children of a node stand together behind it.
-std::vector<StoreNodeRecord>
-StoreBuilder::State::ordered_nodes(const std::vector<std::int64_t>& root_nodes) const {
+std::vector<StoreNodeRecord> StoreBuilder::State::ordered_nodes(const std::vector<std::int64_t>& root_nodes) const {
     std::vector<std::int64_t> order = root_nodes;
     std::vector<StoreNodeRecord> records;
     records.reserve(nodes.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const BuiltNode& node = nodes[static_cast<std::size_t>(order[i])];
         records.push_back(node.record);
-        if (node.record.child_mask != 0)
-            records.back().first_child = static_cast<std::uint32_t>(order.size());
+        if (node.record.child_mask != 0) records.back().first_child = static_cast<std::uint32_t>(order.size());
         for (const std::int64_t child : node.children) {
             if (child >= 0) order.push_back(child);
         }
@@ -346,8 +333,7 @@ StoreSummary StoreBuilder::finish(Progress& progress) {
     State& s = *state_;
     Meter meter(progress, s.header.points);
     std::vector<std::int64_t> root_nodes;
-    for (auto& [cell, bucket] : s.roots)
-        root_nodes.push_back(s.build_bucket(bucket, cell, 0, meter));
+    for (auto& [cell, bucket] : s.roots) root_nodes.push_back(s.build_bucket(bucket, cell, 0, meter));
     meter.at(s.header.points);
     const std::vector<StoreNodeRecord> records = s.ordered_nodes(root_nodes);
     const std::span<const char> node_bytes(reinterpret_cast<const char*>(records.data()),
@@ -395,8 +381,8 @@ StoreInfo store_info(const CloudHeader& header, std::string name, std::string so
     return info;
 }
 
-StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file,
-                         StoreInfo info, const StoreOptions& options, Progress& progress) {
+StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file, StoreInfo info,
+                         const StoreOptions& options, Progress& progress) {
     StoreBuilder builder(file, std::move(info), options);
     progress.step("reading " + file.stem().string());
     reader.read(

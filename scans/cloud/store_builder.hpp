@@ -66,7 +66,7 @@ class StoreBuilder {
                                    std::uint64_t source_cloud);
 
 /// Reads a cloud and makes its store.
-StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file,
-                         StoreInfo info, const StoreOptions& options, Progress& progress);
+StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file, StoreInfo info,
+                         const StoreOptions& options, Progress& progress);
 
 } // namespace planum::scans

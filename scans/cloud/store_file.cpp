@@ -17,8 +17,7 @@ namespace {
 constexpr std::size_t kBuffer = 4U << 20U;
 
 [[noreturn]] void fail(const std::filesystem::path& file, int problem) {
-    throw Error(ErrorCode::Io,
-                fmt::format("{}: cannot be written: {}", file.string(), std::strerror(problem)));
+    throw Error(ErrorCode::Io, fmt::format("{}: cannot be written: {}", file.string(), std::strerror(problem)));
 }
 
 } // namespace

@@ -11,8 +11,7 @@ namespace planum::scans {
 
 // The bytes of a point store; docs/formats/point-store.md describes them in words.
 
-static_assert(std::endian::native == std::endian::little,
-              "point stores are little-endian and mapped as they are");
+static_assert(std::endian::native == std::endian::little, "point stores are little-endian and mapped as they are");
 
 inline constexpr std::array<char, 8> kStoreMagic = {'P', 'L', 'N', 'M', 'P', 'T', 'S', '\n'};
 inline constexpr std::uint32_t kStoreVersion = 1;
@@ -86,8 +85,7 @@ struct PackedPoint {
     /// Which octant of a node at `depth` it lies in.
     [[nodiscard]] unsigned octant(unsigned depth) const noexcept {
         const unsigned shift = 31U - depth;
-        return ((place[0] >> shift) & 1U) | ((place[1] >> shift) & 1U) << 1U |
-               ((place[2] >> shift) & 1U) << 2U;
+        return ((place[0] >> shift) & 1U) | ((place[1] >> shift) & 1U) << 1U | ((place[2] >> shift) & 1U) << 2U;
     }
 
     /// Its 16 bits within a node at `depth`.

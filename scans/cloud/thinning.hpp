@@ -45,19 +45,16 @@ static_assert(32U - kDeepest >= kSampleBits);
 class CoarseToFine {
   public:
     [[nodiscard]] std::span<const PackedPoint> order(std::span<const PackedPoint> points, unsigned depth) {
-        for (std::vector<bool>& level : taken_)
-            std::fill(level.begin(), level.end(), false);
+        for (std::vector<bool>& level : taken_) std::fill(level.begin(), level.end(), false);
         std::array<std::size_t, kLevels + 2> from{};
         levels_.resize(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             levels_[i] = level_of(points[i], depth);
             ++from[levels_[i] + 1U];
         }
-        for (std::size_t level = 1; level < from.size(); ++level)
-            from[level] += from[level - 1];
+        for (std::size_t level = 1; level < from.size(); ++level) from[level] += from[level - 1];
         ordered_.resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i)
-            ordered_[from[levels_[i]]++] = points[i];
+        for (std::size_t i = 0; i < points.size(); ++i) ordered_[from[levels_[i]]++] = points[i];
         return ordered_;
     }
 
@@ -70,8 +67,7 @@ class CoarseToFine {
         for (unsigned bits = kLevels; bits >= 1; --bits) {
             const unsigned shift = 32U - depth - bits;
             const std::uint32_t mask = (1U << bits) - 1U;
-            const std::size_t cell = ((point.place[0] >> shift) & mask) |
-                                     ((point.place[1] >> shift) & mask) << bits |
+            const std::size_t cell = ((point.place[0] >> shift) & mask) | ((point.place[1] >> shift) & mask) << bits |
                                      ((point.place[2] >> shift) & mask) << (2U * bits);
             if (taken_[bits - 1][cell]) break;
             taken_[bits - 1][cell] = true;
@@ -80,9 +76,9 @@ class CoarseToFine {
         return level;
     }
 
-    std::array<std::vector<bool>, kLevels> taken_ = {
-        std::vector<bool>(1U << 3U), std::vector<bool>(1U << 6U), std::vector<bool>(1U << 9U),
-        std::vector<bool>(1U << 12U), std::vector<bool>(1U << 15U)};
+    std::array<std::vector<bool>, kLevels> taken_ = {std::vector<bool>(1U << 3U), std::vector<bool>(1U << 6U),
+                                                     std::vector<bool>(1U << 9U), std::vector<bool>(1U << 12U),
+                                                     std::vector<bool>(1U << 15U)};
     std::vector<std::uint8_t> levels_;
     std::vector<PackedPoint> ordered_;
 };

@@ -23,8 +23,7 @@ class Meter {
         const auto now = std::chrono::steady_clock::now();
         if (now - told_ < std::chrono::milliseconds(100)) return;
         told_ = now;
-        if (total_ > 0)
-            progress_->fraction(std::min(1.0, static_cast<double>(done) / static_cast<double>(total_)));
+        if (total_ > 0) progress_->fraction(std::min(1.0, static_cast<double>(done) / static_cast<double>(total_)));
     }
 
   private:
@@ -38,8 +37,7 @@ class Meter {
 class BlockBuilder {
   public:
     BlockBuilder(const CloudHeader& header, const PointSink& sink, const ReadOptions& options)
-        : sink_(&sink), columns_(header.has),
-          capacity_(std::clamp<std::size_t>(options.block_points, 1, 1U << 22U)),
+        : sink_(&sink), columns_(header.has), capacity_(std::clamp<std::size_t>(options.block_points, 1, 1U << 22U)),
           keep_misses_(options.misses == Misses::Keep) {
         // A small cloud, or a lie about its size, shall not cost a big block.
         const std::uint64_t stated = std::max<std::uint64_t>(header.records, 1);
@@ -89,8 +87,7 @@ class BlockBuilder {
 
     /// Value in the file's own unit; outside of what the coding can say it is clamped and counted.
     void set_intensity(double value, const IntensityCoding& coding) {
-        block.intensity[used_] =
-            static_cast<std::uint16_t>(rounded((value - coding.offset) / coding.scale, 65535));
+        block.intensity[used_] = static_cast<std::uint16_t>(rounded((value - coding.offset) / coding.scale, 65535));
     }
 
     void set_colour(double red, double green, double blue) {
@@ -108,8 +105,7 @@ class BlockBuilder {
     // Half up. Without std::floor, which is a call where the processor is not known to have it.
     [[nodiscard]] std::int32_t rounded(double value, std::int32_t most) {
         const double shifted = value + 0.5;
-        if (shifted >= 0.0 && shifted < static_cast<double>(most) + 1.0)
-            return static_cast<std::int32_t>(shifted);
+        if (shifted >= 0.0 && shifted < static_cast<double>(most) + 1.0) return static_cast<std::int32_t>(shifted);
         ++summary_.clamped;
         return shifted >= 0.0 ? most : 0; // NaN ends at 0
     }

@@ -17,9 +17,8 @@ namespace {
 
 void check_range(std::uint64_t offset, std::uint64_t count, std::uint64_t size) {
     if (offset > size || count > size - offset) {
-        throw Error(
-            ErrorCode::BadInput,
-            fmt::format("ends too early: {} bytes wanted at byte {}, the file has {}", count, offset, size));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("ends too early: {} bytes wanted at byte {}, the file has {}", count, offset, size));
     }
 }
 

@@ -21,8 +21,7 @@ constexpr Tables make_tables() {
     Tables tables{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {
         std::uint32_t crc = byte;
-        for (int bit = 0; bit < 8; ++bit)
-            crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0x82F63B78U : 0U);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0x82F63B78U : 0U);
         tables[0][byte] = crc;
     }
     for (std::size_t k = 1; k < 8; ++k) {
@@ -47,8 +46,7 @@ __attribute__((target("sse4.2"))) std::uint32_t crc32c_by_instruction(std::span<
         crc = _mm_crc32_u64(crc, word);
     }
     auto short_crc = static_cast<std::uint32_t>(crc);
-    for (; left > 0; --left, ++p)
-        short_crc = _mm_crc32_u8(short_crc, static_cast<unsigned char>(*p));
+    for (; left > 0; --left, ++p) short_crc = _mm_crc32_u8(short_crc, static_cast<unsigned char>(*p));
     return ~short_crc;
 }
 #endif
@@ -65,12 +63,10 @@ std::uint32_t crc32c_by_table(std::span<const char> bytes) noexcept {
             std::memcpy(&word, p, 8);
             word ^= crc;
             crc = 0;
-            for (std::size_t k = 0; k < 8; ++k)
-                crc ^= kTables[7 - k][(word >> (8U * k)) & 0xFFU];
+            for (std::size_t k = 0; k < 8; ++k) crc ^= kTables[7 - k][(word >> (8U * k)) & 0xFFU];
         }
     }
-    for (; left > 0; --left, ++p)
-        crc = (crc >> 8U) ^ kTables[0][(crc ^ static_cast<unsigned char>(*p)) & 0xFFU];
+    for (; left > 0; --left, ++p) crc = (crc >> 8U) ^ kTables[0][(crc ^ static_cast<unsigned char>(*p)) & 0xFFU];
     return ~crc;
 }
 

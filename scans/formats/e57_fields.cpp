@@ -26,14 +26,11 @@ std::uint64_t load_bits(const char* bytes, std::uint64_t bit, unsigned bits, std
     const char* at = bytes + bit / 8U;
     const unsigned shift = static_cast<unsigned>(bit % 8U);
     std::uint64_t value = load_word(at) >> shift;
-    if (shift + bits > 64U)
-        value |= static_cast<std::uint64_t>(static_cast<unsigned char>(at[8])) << (64U - shift);
+    if (shift + bits > 64U) value |= static_cast<std::uint64_t>(static_cast<unsigned char>(at[8])) << (64U - shift);
     return value & mask;
 }
 
-std::uint64_t mask_of(unsigned bits) noexcept {
-    return bits >= 64U ? ~0ULL : (1ULL << bits) - 1U;
-}
+std::uint64_t mask_of(unsigned bits) noexcept { return bits >= 64U ? ~0ULL : (1ULL << bits) - 1U; }
 
 // Calls `emit(i, raw)` for each of the next numbers; the narrow case is kept free of branches.
 template<class Emit>
@@ -44,8 +41,7 @@ void unpack(const char* bytes, std::uint64_t bit, unsigned bits, std::size_t cou
             emit(i, (load_word(bytes + bit / 8U) >> (bit % 8U)) & mask);
         return;
     }
-    for (std::size_t i = 0; i < count; ++i, bit += bits)
-        emit(i, load_bits(bytes, bit, bits, mask));
+    for (std::size_t i = 0; i < count; ++i, bit += bits) emit(i, load_bits(bytes, bit, bits, mask));
 }
 
 // minimum + raw without signed overflow: a range may span all 64 bits.
@@ -99,9 +95,7 @@ void E57Stream::take_values(double* out, std::size_t count) {
             out[i] = static_cast<double>(value);
         }
         break;
-    case E57Kind::Double:
-        std::memcpy(out, bytes + bit_ / 8U, count * sizeof(double));
-        break;
+    case E57Kind::Double: std::memcpy(out, bytes + bit_ / 8U, count * sizeof(double)); break;
     case E57Kind::String:
         std::fill_n(out, count, 0.0);
         skip_texts(count);
@@ -164,8 +158,7 @@ std::uint64_t E57Stream::count_texts(std::uint64_t wanted) const {
 
 void E57Stream::skip_texts(std::size_t count) {
     auto at = static_cast<std::size_t>(bit_ / 8U);
-    for (std::size_t i = 0; i < count; ++i)
-        at = text_end(at);
+    for (std::size_t i = 0; i < count; ++i) at = text_end(at);
     bit_ = static_cast<std::uint64_t>(at) * 8U;
 }
 

@@ -20,9 +20,7 @@ struct E57Field {
     unsigned bits = 0; ///< per record; 0: constant, or text
 
     /// Value of a raw integer.
-    [[nodiscard]] double scaled(std::int64_t raw) const noexcept {
-        return static_cast<double>(raw) * scale + offset;
-    }
+    [[nodiscard]] double scaled(std::int64_t raw) const noexcept { return static_cast<double>(raw) * scale + offset; }
 };
 
 /// One field's byte stream, put together from the pieces in the packets, and read as whole records.
@@ -45,9 +43,7 @@ class E57Stream {
     void skip(std::size_t count);
 
     /// Bytes waiting to be read.
-    [[nodiscard]] std::size_t waiting() const noexcept {
-        return filled_ - static_cast<std::size_t>(bit_ / 8U);
-    }
+    [[nodiscard]] std::size_t waiting() const noexcept { return filled_ - static_cast<std::size_t>(bit_ / 8U); }
 
   private:
     [[nodiscard]] std::uint64_t count_texts(std::uint64_t wanted) const;

@@ -24,13 +24,9 @@ constexpr std::size_t kMostFields = 256;
     throw Error(ErrorCode::BadInput, fmt::format("xml element {}: {}", node.path(), message));
 }
 
-std::string clean(const char* bytes) {
-    return text::clean_utf8(text::trim(bytes)).text;
-}
+std::string clean(const char* bytes) { return text::clean_utf8(text::trim(bytes)).text; }
 
-std::string string_of(const pugi::xml_node& parent, const char* name) {
-    return clean(parent.child(name).text().get());
-}
+std::string string_of(const pugi::xml_node& parent, const char* name) { return clean(parent.child(name).text().get()); }
 
 // Text of an integer or attribute; empty is `fallback`.
 std::int64_t integer_of(const pugi::xml_node& node, std::string_view digits, std::int64_t fallback) {
@@ -83,9 +79,7 @@ std::string time_of(const pugi::xml_node& parent, const char* name) {
 Eigen::Isometry3d pose_of(const pugi::xml_node& pose, std::vector<std::string>& notes) {
     const pugi::xml_node r = pose.child("rotation");
     const pugi::xml_node t = pose.child("translation");
-    const auto part = [](const pugi::xml_node& parent, const char* name) {
-        return number_of(parent.child(name));
-    };
+    const auto part = [](const pugi::xml_node& parent, const char* name) { return number_of(parent.child(name)); };
     const Eigen::Vector3d translation(part(t, "x"), part(t, "y"), part(t, "z"));
     double w = part(r, "w");
     if (w == 0.0 && part(r, "x") == 0.0 && part(r, "y") == 0.0 && part(r, "z") == 0.0) {
@@ -104,8 +98,8 @@ E57Field field_of(const pugi::xml_node& node) {
         field.minimum = integer_of(node, node.attribute("minimum").value(), INT64_MIN);
         field.maximum = integer_of(node, node.attribute("maximum").value(), INT64_MAX);
         if (field.maximum < field.minimum) bad(node, "maximum below minimum");
-        field.bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(field.maximum) -
-                                                          static_cast<std::uint64_t>(field.minimum)));
+        field.bits = static_cast<unsigned>(
+            std::bit_width(static_cast<std::uint64_t>(field.maximum) - static_cast<std::uint64_t>(field.minimum)));
         if (field.kind == E57Kind::ScaledInteger) {
             field.scale = real_of(node, node.attribute("scale").value(), 1.0);
             field.offset = real_of(node, node.attribute("offset").value(), 0.0);
@@ -131,8 +125,7 @@ const E57Field* find_field(const E57Cloud& cloud, std::string_view name) {
 
 // What a stored step of intensity means: whole numbers of up to 16 bits are kept as they are, the rest
 // is spread over 16 bits between the limits that are stated.
-IntensityCoding coding_of(const pugi::xml_node& prototype, const E57Field& field,
-                          const std::optional<Limits>& stated) {
+IntensityCoding coding_of(const pugi::xml_node& prototype, const E57Field& field, const std::optional<Limits>& stated) {
     const bool whole = field.kind == E57Kind::Integer || field.kind == E57Kind::ScaledInteger;
     if (whole && field.bits <= 16 && std::isfinite(field.scale) && field.scale > 0.0) {
         const bool as_is = field.minimum >= 0 && field.maximum <= 65535;
@@ -148,8 +141,7 @@ IntensityCoding coding_of(const pugi::xml_node& prototype, const E57Field& field
 }
 
 void read_grid(const pugi::xml_node& scan, E57Cloud& cloud) {
-    cloud.header.has.grid =
-        find_field(cloud, "rowIndex") != nullptr && find_field(cloud, "columnIndex") != nullptr;
+    cloud.header.has.grid = find_field(cloud, "rowIndex") != nullptr && find_field(cloud, "columnIndex") != nullptr;
     const pugi::xml_node bounds = scan.child("indexBounds");
     if (!cloud.header.has.grid || !bounds.child("rowMaximum") || !bounds.child("columnMaximum")) return;
     const auto bound = [&](const char* name) {
@@ -162,16 +154,14 @@ void read_grid(const pugi::xml_node& scan, E57Cloud& cloud) {
         static_cast<std::uint64_t>(bound("rowMaximum")) - static_cast<std::uint64_t>(cloud.first_row);
     const std::uint64_t columns =
         static_cast<std::uint64_t>(bound("columnMaximum")) - static_cast<std::uint64_t>(cloud.first_column);
-    if (rows >= 0xFFFFFFFFULL || columns >= 0xFFFFFFFFULL)
-        bad(bounds, "no sensible range of rows and columns");
+    if (rows >= 0xFFFFFFFFULL || columns >= 0xFFFFFFFFULL) bad(bounds, "no sensible range of rows and columns");
     cloud.grid_stated = true;
     cloud.header.rows = rows + 1;
     cloud.header.columns = columns + 1;
     if (rows == 0 && columns == 0 && cloud.header.records > 1) {
         cloud.header.has.grid = false;
         cloud.header.rows = cloud.header.columns = 0;
-        cloud.header.notes.emplace_back(
-            "all points are said to stand in one row and column; taken as no grid");
+        cloud.header.notes.emplace_back("all points are said to stand in one row and column; taken as no grid");
     }
 }
 
@@ -185,8 +175,8 @@ void read_limits(const pugi::xml_node& scan, const pugi::xml_node& prototype, E5
     }
     header.colour_limits = limits_of(scan.child("colorLimits"), "colorRedMinimum", "colorRedMaximum");
     const E57Field* red = find_field(cloud, "colorRed");
-    header.has.colour = red != nullptr && find_field(cloud, "colorGreen") != nullptr &&
-                        find_field(cloud, "colorBlue") != nullptr;
+    header.has.colour =
+        red != nullptr && find_field(cloud, "colorGreen") != nullptr && find_field(cloud, "colorBlue") != nullptr;
     if (!header.has.colour) return;
     const bool whole = red->kind == E57Kind::Integer || red->kind == E57Kind::ScaledInteger;
     cloud.colour = {0.0, 255.0};
@@ -234,20 +224,17 @@ E57Cloud cloud_of(const pugi::xml_node& scan) {
     cloud.points_offset = natural_of(points, "fileOffset");
     for (const pugi::xml_node& node : prototype.children()) {
         if (node.type() != pugi::node_element) continue;
-        if (cloud.fields.size() == kMostFields)
-            bad(prototype, fmt::format("more than {} fields", kMostFields));
+        if (cloud.fields.size() == kMostFields) bad(prototype, fmt::format("more than {} fields", kMostFields));
         cloud.fields.push_back(field_of(node));
         header.attributes.push_back(cloud.fields.back().name);
     }
     if (points.child("codecs").first_child()) {
         for (const pugi::xml_node& codec : points.child("codecs").children()) {
-            if (codec.type() == pugi::node_element)
-                bad(codec, "a codec other than bit packing is not known here");
+            if (codec.type() == pugi::node_element) bad(codec, "a codec other than bit packing is not known here");
         }
     }
     const auto has_three = [&](const char* a, const char* b, const char* c) {
-        return find_field(cloud, a) != nullptr && find_field(cloud, b) != nullptr &&
-               find_field(cloud, c) != nullptr;
+        return find_field(cloud, a) != nullptr && find_field(cloud, b) != nullptr && find_field(cloud, c) != nullptr;
     };
     cloud.cartesian = has_three("cartesianX", "cartesianY", "cartesianZ");
     if (!cloud.cartesian && !has_three("sphericalRange", "sphericalAzimuth", "sphericalElevation")) {
@@ -289,8 +276,7 @@ std::optional<E57Image> image_of(const pugi::xml_node& node, std::vector<std::st
             };
             image.header.width = size("imageWidth");
             image.header.height = size("imageHeight");
-            if (const pugi::xml_node focal = shown.child("focalLength"))
-                image.header.focal_length = number_of(focal);
+            if (const pugi::xml_node focal = shown.child("focalLength")) image.header.focal_length = number_of(focal);
             return image;
         }
     }
@@ -302,11 +288,10 @@ std::optional<E57Image> image_of(const pugi::xml_node& node, std::vector<std::st
 
 E57Metadata parse_e57_xml(std::string_view xml) {
     pugi::xml_document document;
-    const pugi::xml_parse_result result = document.load_buffer(
-        xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+    const pugi::xml_parse_result result =
+        document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
     if (!result) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("xml part, byte {}: {}", result.offset, result.description()));
+        throw Error(ErrorCode::BadInput, fmt::format("xml part, byte {}: {}", result.offset, result.description()));
     }
     for (const pugi::xml_node& node : document.children()) {
         if (node.type() == pugi::node_doctype)

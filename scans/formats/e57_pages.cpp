@@ -19,9 +19,7 @@ constexpr std::uint64_t kHeaderBytes = 48;
 constexpr std::uint64_t kChecksumBytes = 4;
 constexpr std::uint64_t kWindowBytes = 1U << 20U;
 
-[[noreturn]] void bad(const std::string& message) {
-    throw Error(ErrorCode::BadInput, message);
-}
+[[noreturn]] void bad(const std::string& message) { throw Error(ErrorCode::BadInput, message); }
 
 } // namespace
 
@@ -37,14 +35,13 @@ E57Pages::E57Pages(const ByteSource& source) : source_(&source) {
     header_.xml_offset = little_endian<std::uint64_t>(bytes.data() + 24);
     header_.xml_length = little_endian<std::uint64_t>(bytes.data() + 32);
     header_.page_size = little_endian<std::uint64_t>(bytes.data() + 40);
-    if (header_.page_size < 64 || header_.page_size > kWindowBytes ||
-        !std::has_single_bit(header_.page_size)) {
+    if (header_.page_size < 64 || header_.page_size > kWindowBytes || !std::has_single_bit(header_.page_size)) {
         bad(fmt::format("pages of {} bytes; a power of two from 64 to {} is expected", header_.page_size,
                         kWindowBytes));
     }
     if (header_.file_length != source.size()) {
-        bad(fmt::format("the header says {} bytes, the file has {}: cut short or damaged",
-                        header_.file_length, source.size()));
+        bad(fmt::format("the header says {} bytes, the file has {}: cut short or damaged", header_.file_length,
+                        source.size()));
     }
     if (source.size() % header_.page_size != 0) {
         bad(fmt::format("{} bytes are no whole number of pages of {}", source.size(), header_.page_size));
@@ -57,8 +54,7 @@ E57Pages::E57Pages(const ByteSource& source) : source_(&source) {
 std::uint64_t E57Pages::logical_of(std::uint64_t physical) const {
     const std::uint64_t page = physical / header_.page_size;
     const std::uint64_t within = physical % header_.page_size;
-    if (page >= pages_)
-        bad(fmt::format("offset {} lies beyond the {} bytes of the file", physical, source_->size()));
+    if (page >= pages_) bad(fmt::format("offset {} lies beyond the {} bytes of the file", physical, source_->size()));
     if (within >= payload_) bad(fmt::format("offset {} points into the checksum of page {}", physical, page));
     return page * payload_ + within;
 }

@@ -58,8 +58,8 @@ template<class T>
 [[nodiscard]] T little_endian(const char* bytes) noexcept {
     T value = 0;
     for (std::size_t i = sizeof(T); i-- > 0;) {
-        value = static_cast<T>(static_cast<T>(value << 7U << 1U) |
-                               static_cast<T>(static_cast<unsigned char>(bytes[i])));
+        value =
+            static_cast<T>(static_cast<T>(value << 7U << 1U) | static_cast<T>(static_cast<unsigned char>(bytes[i])));
     }
     return value;
 }

@@ -20,9 +20,7 @@ namespace {
 constexpr std::size_t kBatch = 2048;                // records decoded at once
 constexpr std::size_t kMostWaiting = 256ULL << 20U; // bytes of one field that run ahead of the others
 
-[[noreturn]] void bad(const std::string& message) {
-    throw Error(ErrorCode::BadInput, message);
-}
+[[noreturn]] void bad(const std::string& message) { throw Error(ErrorCode::BadInput, message); }
 
 /// Goes through the packets of a table and feeds them to its streams.
 class PacketReader {
@@ -33,13 +31,12 @@ class PacketReader {
         std::array<char, 32> head{};
         pages.read(start, head);
         if (head[0] != 1) {
-            bad(fmt::format("byte {}: no table of points starts here (section id {}, 1 expected)",
-                            section_offset, static_cast<unsigned char>(head[0])));
+            bad(fmt::format("byte {}: no table of points starts here (section id {}, 1 expected)", section_offset,
+                            static_cast<unsigned char>(head[0])));
         }
         const auto length = little_endian<std::uint64_t>(head.data() + 8);
         if (length < head.size() || length > pages.logical_size() - start) {
-            bad(fmt::format("byte {}: a table of {} bytes does not fit into the file", section_offset,
-                            length));
+            bad(fmt::format("byte {}: a table of {} bytes does not fit into the file", section_offset, length));
         }
         end_ = start + length;
         // An empty table may name a place behind the last byte.
@@ -75,8 +72,7 @@ class PacketReader {
         pages_->read(packet, buffer_);
         const std::size_t count = length >= 6 ? little_endian<std::uint16_t>(buffer_.data() + 4) : 0;
         if (count != streams_->size()) {
-            bad(fmt::format("packet at logical byte {}: {} fields instead of {}", packet, count,
-                            streams_->size()));
+            bad(fmt::format("packet at logical byte {}: {} fields instead of {}", packet, count, streams_->size()));
         }
         std::size_t from = 6 + 2 * count;
         for (std::size_t i = 0; i < count; ++i) {
@@ -89,9 +85,8 @@ class PacketReader {
             E57Stream& stream = (*streams_)[i];
             if (bytes > 0) std::copy_n(buffer_.data() + from, bytes, stream.append(bytes));
             if (stream.waiting() > kMostWaiting) {
-                bad(fmt::format(
-                    "packet at logical byte {}: field {} runs ahead of the others by more than {} MB", packet,
-                    stream.field().name, kMostWaiting >> 20U));
+                bad(fmt::format("packet at logical byte {}: field {} runs ahead of the others by more than {} MB",
+                                packet, stream.field().name, kMostWaiting >> 20U));
             }
             from += bytes;
         }
@@ -127,8 +122,7 @@ Parts parts_of(std::vector<E57Stream>& streams, const E57Cloud& cloud) {
         if (name == (cloud.cartesian ? "cartesianX" : "sphericalRange")) return &parts.x;
         if (name == (cloud.cartesian ? "cartesianY" : "sphericalAzimuth")) return &parts.y;
         if (name == (cloud.cartesian ? "cartesianZ" : "sphericalElevation")) return &parts.z;
-        if (name == (cloud.cartesian ? "cartesianInvalidState" : "sphericalInvalidState"))
-            return &parts.state;
+        if (name == (cloud.cartesian ? "cartesianInvalidState" : "sphericalInvalidState")) return &parts.state;
         if (has.intensity && name == "intensity") return &parts.intensity;
         if (has.intensity && name == "isIntensityInvalid") return &parts.intensity_invalid;
         if (has.colour && name == "colorRed") return parts.colour.data();
@@ -167,8 +161,7 @@ struct Batch {
         values(parts.x, place[0], count);
         values(parts.y, place[1], count);
         values(parts.z, place[2], count);
-        for (std::size_t i = 0; i < 3; ++i)
-            values(parts.colour[i], colour[i], count);
+        for (std::size_t i = 0; i < 3; ++i) values(parts.colour[i], colour[i], count);
         values(parts.intensity, intensity, count);
         values(parts.time, time, count);
         integers(parts.state, state, count);
@@ -176,8 +169,7 @@ struct Batch {
         integers(parts.colour_invalid, no_colour, count);
         integers(parts.row, row, count);
         integers(parts.column, column, count);
-        for (E57Stream* stream : parts.others)
-            stream->skip(count);
+        for (E57Stream* stream : parts.others) stream->skip(count);
     }
 
   private:
@@ -208,8 +200,7 @@ class E57Reader final : public ScanReader {
         info_.notes = std::move(metadata.notes);
         parts_ = std::move(metadata.clouds);
         images_ = std::move(metadata.images);
-        for (const E57Image& image : images_)
-            info_.images.push_back(image.header);
+        for (const E57Image& image : images_) info_.images.push_back(image.header);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             try {
                 check_table(parts_[i]);
@@ -250,8 +241,7 @@ class E57Reader final : public ScanReader {
 
 std::vector<E57Stream> streams_of(const E57Cloud& cloud) {
     std::vector<E57Stream> streams;
-    for (const E57Field& field : cloud.fields)
-        streams.emplace_back(field);
+    for (const E57Field& field : cloud.fields) streams.emplace_back(field);
     return streams;
 }
 
@@ -260,8 +250,7 @@ void E57Reader::check_table(const E57Cloud& cloud) const {
     const std::uint64_t records = cloud.header.records;
     if (records == 0 && cloud.points_offset == 0) return; // some programs write no table at all then
     std::uint64_t bits = 0;
-    for (const E57Field& field : cloud.fields)
-        bits += field.kind == E57Kind::String ? 8U : field.bits;
+    for (const E57Field& field : cloud.fields) bits += field.kind == E57Kind::String ? 8U : field.bits;
     if (records > pages_.logical_size() * 8U / std::max<std::uint64_t>(bits, 1)) {
         bad(fmt::format("{} records of {} bits do not fit into the file", records, bits));
     }
@@ -300,8 +289,7 @@ ReadSummary E57Reader::read_table(const E57Cloud& cloud, const PointSink& sink, 
     std::uint64_t done = 0;
     while (done < cloud.header.records) {
         std::uint64_t ready = std::min<std::uint64_t>(kBatch, cloud.header.records - done);
-        for (const E57Stream& stream : streams)
-            ready = stream.available(ready);
+        for (const E57Stream& stream : streams) ready = stream.available(ready);
         if (ready == 0) {
             meter.at(done);
             if (packets.next()) continue;
@@ -318,8 +306,7 @@ std::uint64_t grid_index(std::int64_t value, std::int64_t first, std::uint64_t c
                          std::string_view what) {
     const std::uint64_t index = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(first);
     if (index >= count) {
-        bad(fmt::format("record {}: {} {} is outside of the {} that the header states", record, what, value,
-                        count));
+        bad(fmt::format("record {}: {} {} is outside of the {} that the header states", record, what, value, count));
     }
     return index;
 }
@@ -332,8 +319,7 @@ Validity validity_of(std::int64_t state) noexcept {
 void E57Reader::emit(const E57Cloud& cloud, const Batch& batch, std::size_t count, BlockBuilder& builder) {
     const CloudHeader& header = cloud.header;
     const double colour_scale =
-        255.0 /
-        (cloud.colour.maximum > cloud.colour.minimum ? cloud.colour.maximum - cloud.colour.minimum : 255.0);
+        255.0 / (cloud.colour.maximum > cloud.colour.minimum ? cloud.colour.maximum - cloud.colour.minimum : 255.0);
     const std::uint64_t rows = cloud.grid_stated ? header.rows : 0xFFFFFFFFULL;
     const std::uint64_t columns = cloud.grid_stated ? header.columns : 0xFFFFFFFFULL;
     for (std::size_t i = 0; i < count; ++i) {
@@ -352,9 +338,8 @@ void E57Reader::emit(const E57Cloud& cloud, const Batch& batch, std::size_t coun
             builder.set_place(flat * std::cos(b), flat * std::sin(b), a * std::sin(c));
         }
         if (header.has.grid) {
-            builder.set_grid(
-                grid_index(batch.row[i], cloud.first_row, rows, builder.records(), "row"),
-                grid_index(batch.column[i], cloud.first_column, columns, builder.records(), "column"));
+            builder.set_grid(grid_index(batch.row[i], cloud.first_row, rows, builder.records(), "row"),
+                             grid_index(batch.column[i], cloud.first_column, columns, builder.records(), "column"));
         }
         if (header.has.intensity) {
             builder.set_intensity(batch.no_intensity[i] != 0 ? header.intensity.offset : batch.intensity[i],
@@ -362,8 +347,7 @@ void E57Reader::emit(const E57Cloud& cloud, const Batch& batch, std::size_t coun
         }
         if (header.has.colour) {
             const auto channel = [&](std::size_t k) {
-                return batch.no_colour[i] != 0 ? 0.0
-                                               : (batch.colour[k][i] - cloud.colour.minimum) * colour_scale;
+                return batch.no_colour[i] != 0 ? 0.0 : (batch.colour[k][i] - cloud.colour.minimum) * colour_scale;
             };
             builder.set_colour(channel(0), channel(1), channel(2));
         }
@@ -383,8 +367,8 @@ std::string E57Reader::read_image_bytes(std::size_t image) const {
     pages_.read(start, head);
     const auto length = little_endian<std::uint64_t>(head.data() + 8);
     if (head[0] != 0 || length < head.size() || wanted.header.bytes > length - head.size()) {
-        bad(fmt::format("image '{}': no image of {} bytes at byte {}", wanted.header.name,
-                        wanted.header.bytes, wanted.offset));
+        bad(fmt::format("image '{}': no image of {} bytes at byte {}", wanted.header.name, wanted.header.bytes,
+                        wanted.offset));
     }
     return pages_.read_string(start + head.size(), wanted.header.bytes);
 }

@@ -25,13 +25,9 @@ constexpr std::size_t kSampledColours = 65536;
 constexpr std::uint64_t kMostVariableRecords = 10000;
 constexpr std::uint64_t kLargestWkt = 1U << 20U;
 
-[[noreturn]] void bad(const std::string& message) {
-    throw Error(ErrorCode::BadInput, message);
-}
+[[noreturn]] void bad(const std::string& message) { throw Error(ErrorCode::BadInput, message); }
 
-double real_at(const char* bytes) noexcept {
-    return std::bit_cast<double>(little_endian<std::uint64_t>(bytes));
-}
+double real_at(const char* bytes) noexcept { return std::bit_cast<double>(little_endian<std::uint64_t>(bytes)); }
 
 /// Where the attributes of a point format stand (ASPRS LAS 1.4 R15, tables 7 to 17).
 struct PointFormat {
@@ -44,17 +40,15 @@ struct PointFormat {
 };
 
 constexpr std::array kPointFormats = {
-    PointFormat{0, 20, 0, 0, 15, 0x80},   PointFormat{1, 28, 20, 0, 15, 0x80},
-    PointFormat{2, 26, 0, 20, 15, 0x80},  PointFormat{3, 34, 20, 28, 15, 0x80},
-    PointFormat{6, 30, 22, 0, 15, 0x04},  PointFormat{7, 36, 22, 30, 15, 0x04},
+    PointFormat{0, 20, 0, 0, 15, 0x80},   PointFormat{1, 28, 20, 0, 15, 0x80}, PointFormat{2, 26, 0, 20, 15, 0x80},
+    PointFormat{3, 34, 20, 28, 15, 0x80}, PointFormat{6, 30, 22, 0, 15, 0x04}, PointFormat{7, 36, 22, 30, 15, 0x04},
     PointFormat{8, 38, 22, 30, 15, 0x04},
 };
 
 class LasReader final : public ScanReader {
   public:
     explicit LasReader(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {
-        if (source_->size() < kShortestHeader)
-            bad(fmt::format("{} bytes are too few for a LAS file", source_->size()));
+        if (source_->size() < kShortestHeader) bad(fmt::format("{} bytes are too few for a LAS file", source_->size()));
         const std::string head = source_->read_string(0, std::min(source_->size(), kHeader14));
         if (!head.starts_with("LASF")) bad("no LAS file: it does not start with LASF");
         read_header(head);
@@ -89,10 +83,9 @@ class LasReader final : public ScanReader {
 
 void LasReader::choose_format(unsigned number) {
     if ((number & 0xC0U) != 0) {
-        bad(fmt::format(
-            "this is LAZ, compressed LAS (point format {}), which is not read here; unpack it first, for "
-            "example with `laszip -i FILE.laz -o FILE.las` or `pdal translate FILE.laz FILE.las`",
-            number & 0x3FU));
+        bad(fmt::format("this is LAZ, compressed LAS (point format {}), which is not read here; unpack it first, for "
+                        "example with `laszip -i FILE.laz -o FILE.las` or `pdal translate FILE.laz FILE.las`",
+                        number & 0x3FU));
     }
     const auto* const found = std::find_if(kPointFormats.begin(), kPointFormats.end(),
                                            [&](const PointFormat& f) { return f.number == number; });
@@ -105,8 +98,7 @@ void LasReader::choose_format(unsigned number) {
 void LasReader::read_header(const std::string& head) {
     const auto major = static_cast<unsigned char>(head[24]);
     const auto minor = static_cast<unsigned char>(head[25]);
-    if (major != 1 || minor > 4)
-        bad(fmt::format("LAS version {}.{}, this program knows up to 1.4", major, minor));
+    if (major != 1 || minor > 4) bad(fmt::format("LAS version {}.{}, this program knows up to 1.4", major, minor));
     choose_format(static_cast<unsigned char>(head[104]));
     points_at_ = little_endian<std::uint32_t>(head.data() + 96);
     record_length_ = little_endian<std::uint16_t>(head.data() + 105);
@@ -118,16 +110,14 @@ void LasReader::read_header(const std::string& head) {
         scale_[i] = real_at(head.data() + 131 + 8 * i);
         offset_[i] = real_at(head.data() + 155 + 8 * i);
         if (!std::isfinite(scale_[i]) || scale_[i] == 0.0 || !std::isfinite(offset_[i])) {
-            bad(fmt::format("scale {} or offset {} of axis {} is impossible", scale_[i], offset_[i],
-                            "xyz"[i]));
+            bad(fmt::format("scale {} or offset {} of axis {} is impossible", scale_[i], offset_[i], "xyz"[i]));
         }
     }
     info_.format = ScanFormat::Las;
     info_.variant = fmt::format("{}.{}, point format {}", major, minor, format_.number);
-    info_.software =
-        text::clean_utf8(text::trim(std::string_view(head.data() + 58, 32)
-                                        .substr(0, std::strlen(std::string(head.substr(58, 32)).c_str()))))
-            .text;
+    info_.software = text::clean_utf8(text::trim(std::string_view(head.data() + 58, 32)
+                                                     .substr(0, std::strlen(std::string(head.substr(58, 32)).c_str()))))
+                         .text;
     info_.created_at = iso_date_of_year_day(little_endian<std::uint16_t>(head.data() + 92),
                                             little_endian<std::uint16_t>(head.data() + 90));
     read_counts(head, minor);
@@ -145,8 +135,7 @@ void LasReader::read_header(const std::string& head) {
 void LasReader::read_counts(const std::string& head, unsigned minor) {
     CloudHeader cloud;
     cloud.records = little_endian<std::uint32_t>(head.data() + 107);
-    if (minor == 4 && head.size() >= kHeader14 &&
-        little_endian<std::uint16_t>(head.data() + 94) >= kHeader14) {
+    if (minor == 4 && head.size() >= kHeader14 && little_endian<std::uint16_t>(head.data() + 94) >= kHeader14) {
         const auto large = little_endian<std::uint64_t>(head.data() + 247);
         if (large != 0) cloud.records = large;
     }
@@ -161,15 +150,8 @@ void LasReader::read_counts(const std::string& head, unsigned minor) {
     cloud.has.time = format_.time != 0;
     cloud.has.colour = format_.colour != 0;
     cloud.intensity = {0.0, 1.0};
-    cloud.attributes = {"X",
-                        "Y",
-                        "Z",
-                        "intensity",
-                        "return number",
-                        "classification",
-                        "scan angle",
-                        "user data",
-                        "point source id"};
+    cloud.attributes = {
+        "X", "Y", "Z", "intensity", "return number", "classification", "scan angle", "user data", "point source id"};
     if (cloud.has.time) cloud.attributes.emplace_back("GPS time");
     if (cloud.has.colour) cloud.attributes.insert(cloud.attributes.end(), {"red", "green", "blue"});
     if (format_.number == 8) cloud.attributes.emplace_back("near infrared");
@@ -186,11 +168,9 @@ void LasReader::read_variable_records(const std::string& head) {
     for (std::uint64_t i = 0; i < count && at + 54 <= points_at_; ++i) {
         const std::string record = source_->read_string(at, 54);
         const std::uint64_t length = little_endian<std::uint16_t>(record.data() + 20);
-        if (at + 54 + length > points_at_)
-            bad(fmt::format("variable record {} reaches into the points", i + 1));
+        if (at + 54 + length > points_at_) bad(fmt::format("variable record {} reaches into the points", i + 1));
         const auto id = little_endian<std::uint16_t>(record.data() + 18);
-        if (record.compare(2, 15, "LASF_Projection") == 0 && (id == 2112 || id == 34735) &&
-            length < kLargestWkt) {
+        if (record.compare(2, 15, "LASF_Projection") == 0 && (id == 2112 || id == 34735) && length < kLargestWkt) {
             const std::string body = source_->read_string(at + 54, length);
             if (id == 2112) info_.coordinate_system = text::clean_utf8(body.c_str()).text;
             for (std::size_t key = 8; id == 34735 && key + 8 <= body.size(); key += 8) {
@@ -219,8 +199,7 @@ void LasReader::guess_colour_depth() {
                       std::span(bytes).first(static_cast<std::size_t>(count) * record_length_));
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
-                if (little_endian<std::uint16_t>(bytes.data() + i * record_length_ + format_.colour + 2 * k) >
-                    255) {
+                if (little_endian<std::uint16_t>(bytes.data() + i * record_length_ + format_.colour + 2 * k) > 255) {
                     colour_shift_ = 8;
                     return;
                 }
@@ -247,8 +226,8 @@ ReadSummary LasReader::read_cloud(std::size_t cloud, const PointSink& sink, cons
             builder.block.intensity[builder.slot()] = little_endian<std::uint16_t>(record + 12);
             if (header.has.colour) {
                 const auto channel = [&](std::size_t k) {
-                    return static_cast<double>(
-                        little_endian<std::uint16_t>(record + format_.colour + 2 * k) >> colour_shift_);
+                    return static_cast<double>(little_endian<std::uint16_t>(record + format_.colour + 2 * k) >>
+                                               colour_shift_);
                 };
                 builder.set_colour(channel(0), channel(1), channel(2));
             }

@@ -8,8 +8,7 @@
 
 namespace planum::scans {
 
-LineReader::LineReader(const ByteSource& source, std::uint64_t offset, std::uint64_t first_line,
-                       std::uint64_t window)
+LineReader::LineReader(const ByteSource& source, std::uint64_t offset, std::uint64_t first_line, std::uint64_t window)
     : source_(&source), window_offset_(std::min(offset, source.size())), read_to_(window_offset_),
       number_(first_line - 1) {
     const std::uint64_t left = source.size() - window_offset_;

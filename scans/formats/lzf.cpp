@@ -23,8 +23,7 @@ constexpr std::size_t kMostFromThree = 264;
 
 std::string unpack_lzf(std::string_view packed, std::size_t size) {
     if (size / kMostFromThree > packed.size() / 3 + 1) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{} compressed bytes cannot hold {}", packed.size(), size));
+        throw Error(ErrorCode::BadInput, fmt::format("{} compressed bytes cannot hold {}", packed.size(), size));
     }
     std::string out(size, '\0');
     const auto byte = [&](std::size_t i) {
@@ -51,12 +50,10 @@ std::string unpack_lzf(std::string_view packed, std::size_t size) {
         const std::size_t distance = ((control & 31U) << 8U | byte(in++)) + 1;
         if (distance > filled || length > size - filled) damaged(start);
         // Byte by byte: source and target overlap when a pattern is repeated.
-        for (std::size_t i = 0; i < length; ++i, ++filled)
-            out[filled] = out[filled - distance];
+        for (std::size_t i = 0; i < length; ++i, ++filled) out[filled] = out[filled - distance];
     }
     if (filled != size) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("compressed data hold {} bytes, {} are expected", filled, size));
+        throw Error(ErrorCode::BadInput, fmt::format("compressed data hold {} bytes, {} are expected", filled, size));
     }
     return out;
 }

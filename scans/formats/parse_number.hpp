@@ -19,8 +19,7 @@ inline constexpr std::array<double, 23> kExactPowersOfTen = {1e0,  1e1,  1e2,  1
 /// Up to 19 digits without exponent are read as one integer m and divided by a power of ten: both are
 /// exact below 2^53 and 10^22, so one division rounds correctly (Clinger 1990). The rest goes the
 /// library's slower way.
-[[nodiscard]] inline const char* parse_number(const char* p, const char* end, double& out,
-                                              char point = '.') noexcept {
+[[nodiscard]] inline const char* parse_number(const char* p, const char* end, double& out, char point = '.') noexcept {
     const char* const first = p;
     const bool negative = *p == '-';
     if (negative || *p == '+') ++p;
@@ -44,8 +43,7 @@ inline constexpr std::array<double, 23> kExactPowersOfTen = {1e0,  1e1,  1e2,  1
     }
     const bool simple = (*p | 0x20) != 'e' && digits > 0 && digits <= 19 && mantissa <= (1ULL << 53U);
     if (simple) {
-        const double value =
-            static_cast<double>(mantissa) / kExactPowersOfTen[static_cast<std::size_t>(decimals)];
+        const double value = static_cast<double>(mantissa) / kExactPowersOfTen[static_cast<std::size_t>(decimals)];
         out = negative ? -value : value;
         return p;
     }
@@ -54,16 +52,13 @@ inline constexpr std::array<double, 23> kExactPowersOfTen = {1e0,  1e1,  1e2,  1
     return problem == std::errc{} ? after : nullptr;
 }
 
-[[nodiscard]] inline bool is_blank(char c) noexcept {
-    return c == ' ' || c == '\t';
-}
+[[nodiscard]] inline bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
 
 /// Reads up to `wanted` numbers with blanks between them. Returns how many there were when the line
 /// holds nothing else, or -1 - (index of the field that is no number); wanted + 1: there are more.
 [[nodiscard]] inline int parse_row(const char* p, const char* end, double* out, int wanted) noexcept {
     for (int i = 0;; ++i) {
-        while (is_blank(*p))
-            ++p;
+        while (is_blank(*p)) ++p;
         if (p >= end) return i;
         if (i == wanted) return wanted + 1;
         const char* const after = parse_number(p, end, out[i]);

@@ -30,9 +30,7 @@ constexpr std::uint64_t kMostValues = 8192; // in one point; the largest descrip
 constexpr std::uint64_t kSampled = 8192;
 constexpr std::uint64_t kBatchBytes = 1U << 20U;
 
-[[noreturn]] void bad(const std::string& message) {
-    throw Error(ErrorCode::BadInput, message);
-}
+[[noreturn]] void bad(const std::string& message) { throw Error(ErrorCode::BadInput, message); }
 
 struct Field {
     std::string name;
@@ -51,16 +49,11 @@ std::optional<BinaryType> type_of(char kind, std::uint64_t size) noexcept {
     if (kind != 'I' && kind != 'U') return std::nullopt;
     const bool is_signed = kind == 'I';
     switch (size) {
-    case 1:
-        return is_signed ? BinaryType::Int8 : BinaryType::UInt8;
-    case 2:
-        return is_signed ? BinaryType::Int16 : BinaryType::UInt16;
-    case 4:
-        return is_signed ? BinaryType::Int32 : BinaryType::UInt32;
-    case 8:
-        return is_signed ? BinaryType::Int64 : BinaryType::UInt64;
-    default:
-        return std::nullopt;
+    case 1: return is_signed ? BinaryType::Int8 : BinaryType::UInt8;
+    case 2: return is_signed ? BinaryType::Int16 : BinaryType::UInt16;
+    case 4: return is_signed ? BinaryType::Int32 : BinaryType::UInt32;
+    case 8: return is_signed ? BinaryType::Int64 : BinaryType::UInt64;
+    default: return std::nullopt;
     }
 }
 
@@ -145,8 +138,7 @@ std::uint64_t natural(const LineReader& lines, const std::vector<std::string>& w
 RawHeader PcdReader::read_header(LineReader& lines) {
     RawHeader raw;
     while (raw.data.empty()) {
-        if (lines.number() > kMostHeaderLines || !lines.next())
-            lines.fail("the header ends before its line DATA");
+        if (lines.number() > kMostHeaderLines || !lines.next()) lines.fail("the header ends before its line DATA");
         const std::string_view line = text::trim(lines.line());
         if (line.empty() || line.front() == '#') continue;
         const std::string_view word = line.substr(0, line.find(' '));
@@ -170,8 +162,7 @@ RawHeader PcdReader::read_header(LineReader& lines) {
         else if (word == "DATA" && !rest.empty())
             raw.data = rest[0];
         else if (word != "VERSION")
-            lines.fail(
-                fmt::format("'{}' is no line of a PCD header", text::clean_utf8(word.substr(0, 40)).text));
+            lines.fail(fmt::format("'{}' is no line of a PCD header", text::clean_utf8(word.substr(0, 40)).text));
     }
     return raw;
 }
@@ -180,15 +171,13 @@ void PcdReader::make_fields(const RawHeader& raw) {
     const std::size_t count = raw.fields.size();
     if (count == 0 || count > kMostFields)
         bad(fmt::format("PCD header: {} fields; from 1 to {} are possible", count, kMostFields));
-    if (raw.sizes.size() != count || raw.types.size() != count ||
-        (!raw.counts.empty() && raw.counts.size() != count)) {
+    if (raw.sizes.size() != count || raw.types.size() != count || (!raw.counts.empty() && raw.counts.size() != count)) {
         bad("PCD header: SIZE, TYPE and COUNT must have as many words as FIELDS");
     }
     for (std::size_t i = 0; i < count; ++i) {
         const std::optional<long long> size = text::parse_integer(raw.sizes[i]);
         const std::optional<long long> values = raw.counts.empty() ? 1 : text::parse_integer(raw.counts[i]);
-        const bool sane =
-            size && *size > 0 && values && *values >= 0 && *values <= static_cast<long long>(kMostValues);
+        const bool sane = size && *size > 0 && values && *values >= 0 && *values <= static_cast<long long>(kMostValues);
         const std::optional<BinaryType> type =
             sane ? type_of(raw.types[i][0], static_cast<std::uint64_t>(*size)) : std::nullopt;
         if (!type) bad(fmt::format("PCD header: field {} has an impossible size, type or count", i + 1));
@@ -201,8 +190,7 @@ void PcdReader::make_fields(const RawHeader& raw) {
         if (field.role == Role::PackedRgb && size_of(*type) != 4) field.role = Role::Other;
         record_bytes_ += field.count * size_of(field.type);
         record_values_ += field.count;
-        if (record_values_ > kMostValues)
-            bad(fmt::format("PCD header: more than {} values in a point", kMostValues));
+        if (record_values_ > kMostValues) bad(fmt::format("PCD header: more than {} values in a point", kMostValues));
         fields_.push_back(std::move(field));
     }
 }
@@ -222,8 +210,7 @@ void PcdReader::make_cloud(const RawHeader& raw) {
         bad(fmt::format("PCD header: {} x {} points are too many", width, height));
     cloud.records = raw.points.value_or(width * height);
     if (cloud.records != width * height) {
-        bad(fmt::format("PCD header: POINTS {} is not WIDTH {} times HEIGHT {}", cloud.records, width,
-                        height));
+        bad(fmt::format("PCD header: POINTS {} is not WIDTH {} times HEIGHT {}", cloud.records, width, height));
     }
     plan_.at[static_cast<std::size_t>(Role::Row)] = -1; // the grid is WIDTH × HEIGHT
     cloud.has = plan_.columns();
@@ -261,8 +248,7 @@ void PcdReader::check_size() {
     const bool fits = storage_ == Storage::Ascii    ? records <= room / (2 * record_values_) + 1
                       : storage_ == Storage::Binary ? records <= room / record_bytes_
                                                     : records == 0 || room >= 8;
-    if (!fits)
-        bad(fmt::format("{} points do not fit into the {} bytes that follow the header", records, room));
+    if (!fits) bad(fmt::format("{} points do not fit into the {} bytes that follow the header", records, room));
 }
 
 void PcdReader::sample() {
@@ -282,8 +268,7 @@ void PcdReader::for_ascii(std::uint64_t count, Each each) const {
     std::vector<double> values(static_cast<std::size_t>(record_values_));
     LineReader lines(*source_, points_at_, points_line_);
     for (std::uint64_t i = 0; i < count; ++i) {
-        if (!lines.next())
-            lines.fail(fmt::format("the file ends after {} of {} points", i, clouds_.front().records));
+        if (!lines.next()) lines.fail(fmt::format("the file ends after {} of {} points", i, clouds_.front().records));
         const int got = parse_row(lines.begin(), lines.end(), values.data(), width);
         if (got < 0) lines.fail(fmt::format("field {} is no number", -got));
         if (got != width) lines.fail(fmt::format("{} numbers expected, as FIELDS and COUNT say", width));
@@ -327,8 +312,7 @@ std::string PcdReader::unpack() const {
     if (packed > room - 8)
         bad(fmt::format("{} compressed bytes are stated, {} follow: cut short or damaged", packed, room - 8));
     if (size / record_bytes_ != records || size % record_bytes_ != 0) {
-        bad(fmt::format("compressed points of {} bytes, {} points of {} are expected", size, records,
-                        record_bytes_));
+        bad(fmt::format("compressed points of {} bytes, {} points of {} are expected", size, records, record_bytes_));
     }
     return unpack_lzf(source_->read_string(points_at_ + 8, packed), static_cast<std::size_t>(size));
 }
@@ -353,15 +337,9 @@ void PcdReader::for_compressed(std::uint64_t count, Each each) const {
 template<class Each>
 void PcdReader::for_points(std::uint64_t count, Each each) const {
     switch (storage_) {
-    case Storage::Ascii:
-        for_ascii(count, each);
-        break;
-    case Storage::Binary:
-        for_binary(count, each);
-        break;
-    case Storage::Compressed:
-        for_compressed(count, each);
-        break;
+    case Storage::Ascii: for_ascii(count, each); break;
+    case Storage::Binary: for_binary(count, each); break;
+    case Storage::Compressed: for_compressed(count, each); break;
     }
 }
 

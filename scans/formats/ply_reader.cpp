@@ -24,9 +24,7 @@ constexpr std::uint64_t kMostHeaderLines = 10000;
 constexpr std::uint64_t kSampled = 8192;
 constexpr std::uint64_t kBatchBytes = 1U << 20U;
 
-[[noreturn]] void bad(const std::string& message) {
-    throw Error(ErrorCode::BadInput, message);
-}
+[[noreturn]] void bad(const std::string& message) { throw Error(ErrorCode::BadInput, message); }
 
 struct Property {
     std::string name;
@@ -47,8 +45,7 @@ struct Element {
 
     [[nodiscard]] std::uint64_t record_bytes() const noexcept {
         std::uint64_t bytes = 0;
-        for (const Property& p : properties)
-            bytes += p.list_count ? 0 : size_of(p.type);
+        for (const Property& p : properties) bytes += p.list_count ? 0 : size_of(p.type);
         return bytes;
     }
 };
@@ -121,8 +118,8 @@ void PlyReader::read_header(LineReader& lines) {
             format_seen = true;
             const std::string_view kind = words.size() > 1 ? words[1] : std::string_view{};
             if (kind != "ascii" && kind != "binary_little_endian" && kind != "binary_big_endian") {
-                lines.fail(fmt::format(
-                    "format '{}'; ascii, binary_little_endian and binary_big_endian are known", kind));
+                lines.fail(
+                    fmt::format("format '{}'; ascii, binary_little_endian and binary_big_endian are known", kind));
             }
             ascii_ = kind == "ascii";
             order_ = kind == "binary_big_endian" ? std::endian::big : std::endian::little;
@@ -156,8 +153,7 @@ void PlyReader::add_property(LineReader& lines, const std::vector<std::string_vi
     if (element.properties.size() == kMostProperties)
         lines.fail(fmt::format("more than {} properties", kMostProperties));
     const bool list = words.size() == 5 && words[1] == "list";
-    if (!list && words.size() != 3)
-        lines.fail("a property is: property TYPE NAME, or: property list TYPE TYPE NAME");
+    if (!list && words.size() != 3) lines.fail("a property is: property TYPE NAME, or: property list TYPE TYPE NAME");
     const std::optional<BinaryType> type = type_of_name(list ? words[3] : words[1]);
     const std::optional<BinaryType> count = list ? type_of_name(words[2]) : std::nullopt;
     if (!type || (list && !count)) lines.fail("a type that PLY does not know");
@@ -180,8 +176,7 @@ void PlyReader::find_vertices(std::uint64_t offset, std::uint64_t line) {
         if (element.has_lists()) bad("element vertex has a list, which is no table of points");
         if (least == 0) bad("element vertex has no properties");
         if (element.count > room / least + (ascii_ ? 1 : 0)) {
-            bad(fmt::format("{} vertices do not fit into the {} bytes that follow the header", element.count,
-                            room));
+            bad(fmt::format("{} vertices do not fit into the {} bytes that follow the header", element.count, room));
         }
         return;
     }
@@ -200,11 +195,9 @@ void PlyReader::pass_over(const Element& element) {
         return;
     }
     if (element.has_lists())
-        bad(fmt::format("element {} with lists stands before the vertices; save the vertices first",
-                        element.name));
+        bad(fmt::format("element {} with lists stands before the vertices; save the vertices first", element.name));
     const std::uint64_t bytes = element.record_bytes();
-    if (bytes > 0 && element.count > room / bytes)
-        bad(fmt::format("the file ends within element {}", element.name));
+    if (bytes > 0 && element.count > room / bytes) bad(fmt::format("the file ends within element {}", element.name));
     vertices_at_ += element.count * bytes;
 }
 
@@ -257,8 +250,7 @@ void PlyReader::for_vertices(std::uint64_t count, Each each) const {
     if (ascii_) {
         LineReader lines(*source_, vertices_at_, vertices_line_);
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (!lines.next())
-                lines.fail(fmt::format("the file ends after {} of {} vertices", i, vertices_.count));
+            if (!lines.next()) lines.fail(fmt::format("the file ends after {} of {} vertices", i, vertices_.count));
             const int got = parse_row(lines.begin(), lines.end(), values.data(), static_cast<int>(width));
             if (got < 0) lines.fail(fmt::format("field {} is no number", -got));
             if (got != static_cast<int>(width))
@@ -276,8 +268,7 @@ void PlyReader::for_vertices(std::uint64_t count, Each each) const {
         for (std::size_t i = 0; i < here; ++i) {
             const char* at = bytes.data() + i * record;
             for (std::size_t k = 0; k < width; ++k) {
-                values[k] =
-                    load_value(at + vertices_.properties[k].offset, vertices_.properties[k].type, order_);
+                values[k] = load_value(at + vertices_.properties[k].offset, vertices_.properties[k].type, order_);
             }
             each(std::span<const double>(values));
         }

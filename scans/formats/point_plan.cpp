@@ -76,30 +76,18 @@ Role role_of_name(std::string_view name) {
 
 std::string_view role_name(Role role) noexcept {
     switch (role) {
-    case Role::Other:
-        return "-";
-    case Role::X:
-        return "x";
-    case Role::Y:
-        return "y";
-    case Role::Z:
-        return "z";
-    case Role::Intensity:
-        return "intensity";
-    case Role::Red:
-        return "red";
-    case Role::Green:
-        return "green";
-    case Role::Blue:
-        return "blue";
-    case Role::PackedRgb:
-        return "rgb";
-    case Role::Row:
-        return "row";
-    case Role::Column:
-        return "column";
-    case Role::Time:
-        return "time";
+    case Role::Other: return "-";
+    case Role::X: return "x";
+    case Role::Y: return "y";
+    case Role::Z: return "z";
+    case Role::Intensity: return "intensity";
+    case Role::Red: return "red";
+    case Role::Green: return "green";
+    case Role::Blue: return "blue";
+    case Role::PackedRgb: return "rgb";
+    case Role::Row: return "row";
+    case Role::Column: return "column";
+    case Role::Time: return "time";
     }
     return "-";
 }

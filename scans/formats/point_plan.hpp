@@ -63,8 +63,7 @@ struct PointPlan {
     void place(std::span<const double> values, BlockBuilder& builder) const;
 
     /// Looks at one record to guess ranges.
-    void sample(std::span<const double> values, ValueSampler& intensities,
-                ValueSampler& colours) const noexcept;
+    void sample(std::span<const double> values, ValueSampler& intensities, ValueSampler& colours) const noexcept;
 };
 
 /// The first column of each role counts.

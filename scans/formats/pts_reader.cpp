@@ -52,17 +52,11 @@ class PtsReader final : public ScanReader {
 
 std::vector<Role> PtsReader::roles_of(const LineReader& lines, std::size_t columns) {
     switch (columns) {
-    case 3:
-        return {Role::X, Role::Y, Role::Z};
-    case 4:
-        return {Role::X, Role::Y, Role::Z, Role::Intensity};
-    case 6:
-        return {Role::X, Role::Y, Role::Z, Role::Red, Role::Green, Role::Blue};
-    case 7:
-        return {Role::X, Role::Y, Role::Z, Role::Intensity, Role::Red, Role::Green, Role::Blue};
-    default:
-        lines.fail(
-            fmt::format("{} columns; PTS has 3, 4, 6 or 7: x y z, intensity, red green blue", columns));
+    case 3: return {Role::X, Role::Y, Role::Z};
+    case 4: return {Role::X, Role::Y, Role::Z, Role::Intensity};
+    case 6: return {Role::X, Role::Y, Role::Z, Role::Red, Role::Green, Role::Blue};
+    case 7: return {Role::X, Role::Y, Role::Z, Role::Intensity, Role::Red, Role::Green, Role::Blue};
+    default: lines.fail(fmt::format("{} columns; PTS has 3, 4, 6 or 7: x y z, intensity, red green blue", columns));
     }
 }
 
@@ -72,8 +66,7 @@ void PtsReader::add_surplus(const LineReader& lines) {
     if (split_line(lines.line(), ' ').size() != tables_.back().roles.size()) {
         lines.fail("after the last point the next cloud's number of points is expected");
     }
-    if (surplus_ == 0)
-        header.notes.emplace_back(fmt::format("states {} points but has more", header.records));
+    if (surplus_ == 0) header.notes.emplace_back(fmt::format("states {} points but has more", header.records));
     ++surplus_;
     ++header.records;
 }
@@ -94,8 +87,7 @@ void PtsReader::add_cloud(LineReader& lines, std::uint64_t offset, Meter& meter)
         header.records = static_cast<std::uint64_t>(*count);
         const std::uint64_t room = source_->size() - table.offset;
         if (header.records > room / kShortestPoint + 1) {
-            lines.fail(
-                fmt::format("{} points do not fit into the {} bytes that follow", header.records, room));
+            lines.fail(fmt::format("{} points do not fit into the {} bytes that follow", header.records, room));
         }
     }
     LineReader first(*source_, table.offset, table.first_line, 4096);

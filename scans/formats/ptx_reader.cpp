@@ -81,8 +81,7 @@ class PtxReader final : public ScanReader {
 std::uint64_t read_count(const LineReader& lines, std::string_view what) {
     const std::optional<long long> count = text::parse_integer(lines.line());
     if (!count || *count < 1 || *count > 0xFFFFFFFFLL) {
-        lines.fail(
-            fmt::format("no number of {}; a PTX cloud starts with columns and rows, each at least 1", what));
+        lines.fail(fmt::format("no number of {}; a PTX cloud starts with columns and rows, each at least 1", what));
     }
     return static_cast<std::uint64_t>(*count);
 }
@@ -90,8 +89,7 @@ std::uint64_t read_count(const LineReader& lines, std::string_view what) {
 void read_numbers(LineReader& lines, std::span<double> out, std::string_view what) {
     if (!lines.next()) lines.fail(fmt::format("the file ends before the {}", what));
     const int got = parse_row(lines.begin(), lines.end(), out.data(), static_cast<int>(out.size()));
-    if (got != static_cast<int>(out.size()))
-        lines.fail(fmt::format("{} numbers expected, the {}", out.size(), what));
+    if (got != static_cast<int>(out.size())) lines.fail(fmt::format("{} numbers expected, the {}", out.size(), what));
 }
 
 void PtxReader::read_header(LineReader& lines) {
@@ -104,15 +102,13 @@ void PtxReader::read_header(LineReader& lines) {
     const std::uint64_t header_line = lines.number();
     std::array<double, 3> three{};
     read_numbers(lines, three, "scanner's position");
-    for (int i = 0; i < 3; ++i)
-        read_numbers(lines, three, "scanner's axes");
+    for (int i = 0; i < 3; ++i) read_numbers(lines, three, "scanner's axes");
     // Row vectors from the left: x_site = x_file * M. Ours stand on the right, so M is transposed.
     Eigen::Matrix4d site_from_file;
     for (int i = 0; i < 4; ++i) {
         std::array<double, 4> four{};
         read_numbers(lines, four, "lines of the 4x4 matrix");
-        for (int k = 0; k < 4; ++k)
-            site_from_file(k, i) = four[static_cast<std::size_t>(k)];
+        for (int k = 0; k < 4; ++k) site_from_file(k, i) = four[static_cast<std::size_t>(k)];
     }
     try {
         const SplitPose split = split_pose(site_from_file);
@@ -124,14 +120,13 @@ void PtxReader::read_header(LineReader& lines) {
     }
     header.has_pose = true;
     if (part.scan_from_file)
-        header.notes.emplace_back(
-            "the header's matrix stretches space; the points were stretched, the pose is rigid");
+        header.notes.emplace_back("the header's matrix stretches space; the points were stretched, the pose is rigid");
     part.offset = lines.offset();
     part.first_line = lines.number() + 1;
     if (header.records > (source_->size() - part.offset) / kShortestPoint + 1) {
         throw Error(ErrorCode::BadInput,
-                    fmt::format("line {}: {} x {} points do not fit into the {} bytes that follow",
-                                header_line, header.columns, header.rows, source_->size() - part.offset));
+                    fmt::format("line {}: {} x {} points do not fit into the {} bytes that follow", header_line,
+                                header.columns, header.rows, source_->size() - part.offset));
     }
     parts_.push_back(part);
     clouds_.push_back(std::move(header));
@@ -151,10 +146,9 @@ void PtxReader::sample(PtxCloud& part, CloudHeader& header) const {
         if (fields >= 4 && part.fields != 6) intensities.add(row[3]);
     }
     if (part.fields != 3 && part.fields != 4 && part.fields != 6 && part.fields != 7) {
-        throw Error(
-            ErrorCode::BadInput,
-            fmt::format("line {}: no point; 3, 4, 6 or 7 numbers expected: x y z, intensity, red green blue",
-                        part.first_line));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("line {}: no point; 3, 4, 6 or 7 numbers expected: x y z, intensity, red green blue",
+                                part.first_line));
     }
     header.has.grid = true;
     header.has.intensity = part.fields == 4 || part.fields == 7;
@@ -183,13 +177,11 @@ ReadSummary PtxReader::read_cloud(std::size_t cloud, const PointSink& sink, cons
         for (std::uint64_t row = 0; row < header.rows; ++row, ++i) {
             if ((i & 0xFFFFU) == 0) meter.at(i);
             if (!lines.next())
-                lines.fail(
-                    fmt::format("the file ends after {} of {} points of this cloud", i, header.records));
+                lines.fail(fmt::format("the file ends after {} of {} points of this cloud", i, header.records));
             const int got = parse_row(lines.begin(), lines.end(), v.data(), part.fields);
             const bool nothing = v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0;
             // Some programs write a missing return without its colour.
-            if (got != part.fields && !(nothing && got >= 3 && got < part.fields))
-                bad_point(lines, got, part.fields);
+            if (got != part.fields && !(nothing && got >= 3 && got < part.fields)) bad_point(lines, got, part.fields);
             if (nothing && !builder.keeps_misses()) {
                 builder.miss(Validity::Invalid);
                 continue;

@@ -10,8 +10,7 @@
 namespace planum::scans {
 
 SplitPose split_pose(const Eigen::Matrix4d& site_from_file) {
-    if (!site_from_file.allFinite())
-        throw Error(ErrorCode::BadInput, "the matrix holds numbers that are not finite");
+    if (!site_from_file.allFinite()) throw Error(ErrorCode::BadInput, "the matrix holds numbers that are not finite");
     const Eigen::RowVector4d last = site_from_file.row(3);
     if ((last - Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)).cwiseAbs().maxCoeff() > 1e-6) {
         throw Error(ErrorCode::BadInput, "the matrix is no motion in space: its last column must be 0 0 0 1");
@@ -37,15 +36,13 @@ SplitPose split_pose(const Eigen::Matrix4d& site_from_file) {
     return split;
 }
 
-Eigen::Isometry3d pose_from_quaternion(double w, double x, double y, double z,
-                                       const Eigen::Vector3d& translation) {
+Eigen::Isometry3d pose_from_quaternion(double w, double x, double y, double z, const Eigen::Vector3d& translation) {
     const Eigen::Quaterniond rotation(w, x, y, z);
     const double length = rotation.norm();
     if (!std::isfinite(length) || !translation.allFinite()) {
         throw Error(ErrorCode::BadInput, "the pose holds numbers that are not finite");
     }
-    if (length < 1e-12)
-        throw Error(ErrorCode::BadInput, "the pose's quaternion is zero, it must have length 1");
+    if (length < 1e-12) throw Error(ErrorCode::BadInput, "the pose's quaternion is zero, it must have length 1");
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = rotation.normalized().toRotationMatrix();
     pose.translation() = translation;

@@ -38,41 +38,30 @@ std::unique_ptr<ScanReader> open_scan_as(std::unique_ptr<ByteSource> source, Sca
                                          const OpenOptions& options, Progress& progress,
                                          const std::optional<std::string>& companion) {
     switch (format) {
-    case ScanFormat::Ptx:
-        return make_ptx_reader(std::move(source), progress);
-    case ScanFormat::E57:
-        return make_e57_reader(std::move(source));
-    case ScanFormat::Las:
-        return make_las_reader(std::move(source));
-    case ScanFormat::Ply:
-        return make_ply_reader(std::move(source));
-    case ScanFormat::Pcd:
-        return make_pcd_reader(std::move(source));
-    case ScanFormat::Pts:
-        return make_pts_reader(std::move(source), progress);
-    case ScanFormat::Xyz:
-        return make_xyz_reader(std::move(source), options, progress);
-    case ScanFormat::ThreeDtk:
-        return make_3dtk_reader(std::move(source), companion, progress);
+    case ScanFormat::Ptx: return make_ptx_reader(std::move(source), progress);
+    case ScanFormat::E57: return make_e57_reader(std::move(source));
+    case ScanFormat::Las: return make_las_reader(std::move(source));
+    case ScanFormat::Ply: return make_ply_reader(std::move(source));
+    case ScanFormat::Pcd: return make_pcd_reader(std::move(source));
+    case ScanFormat::Pts: return make_pts_reader(std::move(source), progress);
+    case ScanFormat::Xyz: return make_xyz_reader(std::move(source), options, progress);
+    case ScanFormat::ThreeDtk: return make_3dtk_reader(std::move(source), companion, progress);
     }
     throw Error(ErrorCode::Internal, "no reader for this scan format");
 }
 
 } // namespace
 
-ReadSummary ScanReader::read(std::size_t cloud, const PointSink& sink, const ReadOptions& options,
-                             Progress& progress) {
+ReadSummary ScanReader::read(std::size_t cloud, const PointSink& sink, const ReadOptions& options, Progress& progress) {
     if (cloud >= clouds_.size()) {
-        throw Error(ErrorCode::Usage,
-                    fmt::format("no cloud #{}: the file has {}", cloud + 1, clouds_.size()));
+        throw Error(ErrorCode::Usage, fmt::format("no cloud #{}: the file has {}", cloud + 1, clouds_.size()));
     }
     return read_cloud(cloud, sink, options, progress);
 }
 
 std::string ScanReader::read_image(std::size_t image) const {
     if (image >= info_.images.size()) {
-        throw Error(ErrorCode::Usage,
-                    fmt::format("no image #{}: the file has {}", image + 1, info_.images.size()));
+        throw Error(ErrorCode::Usage, fmt::format("no image #{}: the file has {}", image + 1, info_.images.size()));
     }
     return read_image_bytes(image);
 }
@@ -83,22 +72,14 @@ std::string ScanReader::read_image_bytes(std::size_t /*image*/) const {
 
 std::string_view format_name(ScanFormat format) noexcept {
     switch (format) {
-    case ScanFormat::Ptx:
-        return "PTX";
-    case ScanFormat::E57:
-        return "E57";
-    case ScanFormat::Las:
-        return "LAS";
-    case ScanFormat::Ply:
-        return "PLY";
-    case ScanFormat::Pcd:
-        return "PCD";
-    case ScanFormat::Pts:
-        return "PTS";
-    case ScanFormat::Xyz:
-        return "XYZ";
-    case ScanFormat::ThreeDtk:
-        return "3DTK";
+    case ScanFormat::Ptx: return "PTX";
+    case ScanFormat::E57: return "E57";
+    case ScanFormat::Las: return "LAS";
+    case ScanFormat::Ply: return "PLY";
+    case ScanFormat::Pcd: return "PCD";
+    case ScanFormat::Pts: return "PTS";
+    case ScanFormat::Xyz: return "XYZ";
+    case ScanFormat::ThreeDtk: return "3DTK";
     }
     return "?";
 }
@@ -121,9 +102,8 @@ std::optional<ScanFormat> guess_format(const ByteSource& source, std::string_vie
     return std::nullopt;
 }
 
-std::unique_ptr<ScanReader> open_scan(std::unique_ptr<ByteSource> source, ScanFormat format,
-                                      const OpenOptions& options, Progress& progress,
-                                      std::optional<std::string> companion) {
+std::unique_ptr<ScanReader> open_scan(std::unique_ptr<ByteSource> source, ScanFormat format, const OpenOptions& options,
+                                      Progress& progress, std::optional<std::string> companion) {
     return open_scan_as(std::move(source), format, options, progress, companion);
 }
 
@@ -133,9 +113,8 @@ std::unique_ptr<ScanReader> open_scan(const std::filesystem::path& file, const O
     try {
         const std::optional<ScanFormat> format = guess_format(*source, file.extension().string());
         if (!format) {
-            throw Error(ErrorCode::BadInput,
-                        "no scan format by its content or ending; known are .ptx .e57 .las .ply "
-                        ".pcd .pts .xyz .csv .txt .asc .3d");
+            throw Error(ErrorCode::BadInput, "no scan format by its content or ending; known are .ptx .e57 .las .ply "
+                                             ".pcd .pts .xyz .csv .txt .asc .3d");
         }
         const std::optional<std::string> companion =
             *format == ScanFormat::ThreeDtk ? read_pose_beside(file) : std::nullopt;
@@ -147,11 +126,10 @@ std::unique_ptr<ScanReader> open_scan(const std::filesystem::path& file, const O
 }
 
 std::optional<std::string> day_of_folder(const std::filesystem::path& file) {
-    for (std::filesystem::path folder = file.parent_path(); folder.has_filename();
-         folder = folder.parent_path()) {
+    for (std::filesystem::path folder = file.parent_path(); folder.has_filename(); folder = folder.parent_path()) {
         const std::string name = folder.filename().string();
-        const bool ends = name.size() == 10 ||
-                          (name.size() > 10 && (name[10] == ' ' || name[10] == '_' || name[10] == '-'));
+        const bool ends =
+            name.size() == 10 || (name.size() > 10 && (name[10] == ' ' || name[10] == '_' || name[10] == '-'));
         if (ends && is_date(name)) return name.substr(0, 10);
     }
     return std::nullopt;

@@ -50,8 +50,7 @@ class ScanReader {
 
     /// Streams one cloud. Throws Usage when there is no such cloud, Cancelled, BadInput, Io; what the
     /// sink throws passes through.
-    ReadSummary read(std::size_t cloud, const PointSink& sink, const ReadOptions& options,
-                     Progress& progress);
+    ReadSummary read(std::size_t cloud, const PointSink& sink, const ReadOptions& options, Progress& progress);
 
     /// The bytes of an embedded JPEG or PNG file. Throws Usage when there is no such image.
     [[nodiscard]] std::string read_image(std::size_t image) const;
@@ -67,8 +66,8 @@ class ScanReader {
 
 /// Opens a file by its content where the format has a mark, else by its ending. Throws BadInput with
 /// the known endings when it is none of ours, and with what to do for LAZ.
-[[nodiscard]] std::unique_ptr<ScanReader> open_scan(const std::filesystem::path& file,
-                                                    const OpenOptions& options, Progress& progress);
+[[nodiscard]] std::unique_ptr<ScanReader> open_scan(const std::filesystem::path& file, const OpenOptions& options,
+                                                    Progress& progress);
 
 /// The same for bytes of a known format. `companion` is the text of the .pose file of a .3d file.
 [[nodiscard]] std::unique_ptr<ScanReader> open_scan(std::unique_ptr<ByteSource> source, ScanFormat format,

@@ -38,8 +38,7 @@ bool next_data_line(LineReader& lines) {
 
 std::string_view unquote(std::string_view field) noexcept {
     field = text::trim(field);
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-        field = field.substr(1, field.size() - 2);
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
     return text::trim(field);
 }
 
@@ -63,24 +62,21 @@ char guess_separator(std::string_view line) noexcept {
     const bool blanks_too = text::trim(line).find(' ') != std::string_view::npos;
     const bool comma_then_blank = line.find(", ") != std::string_view::npos;
     const bool has_point = line.find('.') != std::string_view::npos;
-    return blanks_too && !comma_then_blank && !has_point && line.find('"') == std::string_view::npos ? ' '
-                                                                                                     : ',';
+    return blanks_too && !comma_then_blank && !has_point && line.find('"') == std::string_view::npos ? ' ' : ',';
 }
 
 std::vector<std::string_view> split_line(std::string_view line, char separator) {
     std::vector<std::string_view> fields;
     line = text::trim(line);
     if (separator != ' ') {
-        for (const std::string_view field : text::split(line, separator))
-            fields.push_back(unquote(field));
+        for (const std::string_view field : text::split(line, separator)) fields.push_back(unquote(field));
         if (fields.size() > 1 && fields.back().empty()) fields.pop_back(); // a separator at the end
         return fields;
     }
     std::size_t at = 0;
     while (at < line.size()) {
         std::size_t end = at;
-        while (end < line.size() && !is_blank(line[end]))
-            ++end;
+        while (end < line.size() && !is_blank(line[end])) ++end;
         if (end > at) fields.push_back(unquote(line.substr(at, end - at)));
         at = end + 1;
     }
@@ -92,22 +88,17 @@ void read_row(const LineReader& lines, const TextTable& table, std::vector<doubl
     const char* const end = lines.end();
     const bool by_blanks = table.separator == ' ';
     for (std::size_t i = 0; i < table.roles.size(); ++i) {
-        while (p < end && is_blank(*p) && *p != table.separator)
-            ++p;
+        while (p < end && is_blank(*p) && *p != table.separator) ++p;
         if (by_blanks) {
-            while (p < end && is_blank(*p))
-                ++p;
+            while (p < end && is_blank(*p)) ++p;
         }
         if (p >= end) lines.fail(fmt::format("{} columns expected, this line has {}", table.roles.size(), i));
         if (table.roles[i] == Role::Other) {
-            while (p < end && !(by_blanks ? is_blank(*p) : *p == table.separator))
-                ++p;
+            while (p < end && !(by_blanks ? is_blank(*p) : *p == table.separator)) ++p;
         } else {
             p = parse_number(p, end, values[i], table.decimal);
-            if (p == nullptr)
-                lines.fail(fmt::format("column {} ({}) is no number", i + 1, role_name(table.roles[i])));
-            while (p < end && is_blank(*p) && *p != table.separator)
-                ++p;
+            if (p == nullptr) lines.fail(fmt::format("column {} ({}) is no number", i + 1, role_name(table.roles[i])));
+            while (p < end && is_blank(*p) && *p != table.separator) ++p;
         }
         if (p >= end) continue;
         if (by_blanks ? is_blank(*p) || is_blank(p[-1]) : *p == table.separator) {
@@ -116,8 +107,7 @@ void read_row(const LineReader& lines, const TextTable& table, std::vector<doubl
         }
         lines.fail(fmt::format("column {} ({}) is no number", i + 1, role_name(table.roles[i])));
     }
-    while (p < end && is_blank(*p))
-        ++p;
+    while (p < end && is_blank(*p)) ++p;
     if (p < end) lines.fail(fmt::format("more than the {} columns of the first line", table.roles.size()));
 }
 
@@ -155,16 +145,14 @@ std::vector<Role> guess_roles(const ByteSource& source, const TextTable& table, 
 
 void plan_table(const ByteSource& source, TextTable& table, CloudHeader& header) {
     if (table.roles.size() > kMostColumns) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("line {}: more than {} columns", table.first_line, kMostColumns));
+        throw Error(ErrorCode::BadInput, fmt::format("line {}: more than {} columns", table.first_line, kMostColumns));
     }
     table.plan = plan_of(table.roles);
     if (!table.plan.has_place()) {
-        throw Error(ErrorCode::BadInput, fmt::format("line {}: no columns x, y and z among: {}",
-                                                     table.first_line, roles_as_text(table.roles)));
+        throw Error(ErrorCode::BadInput, fmt::format("line {}: no columns x, y and z among: {}", table.first_line,
+                                                     roles_as_text(table.roles)));
     }
-    table.plan.at[static_cast<std::size_t>(Role::Row)] =
-        -1; // a grid needs its extent, which no such file states
+    table.plan.at[static_cast<std::size_t>(Role::Row)] = -1; // a grid needs its extent, which no such file states
     ValueSampler intensities;
     ValueSampler colours;
     std::vector<double> values(table.roles.size());
@@ -178,8 +166,7 @@ void plan_table(const ByteSource& source, TextTable& table, CloudHeader& header)
     table.plan.colour_scale = colours.colour_scale();
     header.has = table.plan.columns();
     header.intensity = table.plan.intensity;
-    for (const Role role : table.roles)
-        header.attributes.emplace_back(role_name(role));
+    for (const Role role : table.roles) header.attributes.emplace_back(role_name(role));
 }
 
 ReadSummary read_table(const ByteSource& source, const TextTable& table, const CloudHeader& header,
@@ -190,15 +177,13 @@ ReadSummary read_table(const ByteSource& source, const TextTable& table, const C
     std::vector<double> values(table.roles.size());
     for (std::uint64_t i = 0; i < header.records; ++i) {
         if ((i & 0xFFFFU) == 0) meter.at(i);
-        if (!next_data_line(lines))
-            lines.fail(fmt::format("the file ends after {} of {} points", i, header.records));
+        if (!next_data_line(lines)) lines.fail(fmt::format("the file ends after {} of {} points", i, header.records));
         read_row(lines, table, values);
         table.plan.place(values, builder);
         if (table.turned) {
             const std::size_t at = builder.slot();
             const Eigen::Vector3d p =
-                table.scan_from_file *
-                Eigen::Vector3d(builder.block.x[at], builder.block.y[at], builder.block.z[at]);
+                table.scan_from_file * Eigen::Vector3d(builder.block.x[at], builder.block.y[at], builder.block.z[at]);
             builder.set_place(p.x(), p.y(), p.z());
         }
         builder.commit();

@@ -44,8 +44,7 @@ void read_row(const LineReader& lines, const TextTable& table, std::vector<doubl
 
 /// Gives the columns their meaning by their number and values: 3: x y z; 4: + intensity; 6: + colour
 /// where the values are whole and small; 7: both, in either order. Looks at the first thousands of lines.
-[[nodiscard]] std::vector<Role> guess_roles(const ByteSource& source, const TextTable& table,
-                                            std::size_t columns);
+[[nodiscard]] std::vector<Role> guess_roles(const ByteSource& source, const TextTable& table, std::size_t columns);
 
 /// Makes the plan from the roles and the ranges in the first thousands of lines, and fills what
 /// `header` has of it.

@@ -42,26 +42,23 @@ Eigen::Isometry3d parse_pose(const std::string& pose_text) {
     }
     if (count != v.size())
         throw Error(ErrorCode::BadInput,
-                    fmt::format(".pose file: {} numbers instead of six, position in cm and angles in degrees",
-                                count));
+                    fmt::format(".pose file: {} numbers instead of six, position in cm and angles in degrees", count));
     const auto turn = [&](std::size_t i, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(v[3 + i] * std::numbers::pi / 180.0, axis).toRotationMatrix();
     };
-    const Eigen::Matrix3d theirs = turn(0, Eigen::Vector3d::UnitX()) * turn(1, Eigen::Vector3d::UnitY()) *
-                                   turn(2, Eigen::Vector3d::UnitZ());
+    const Eigen::Matrix3d theirs =
+        turn(0, Eigen::Vector3d::UnitX()) * turn(1, Eigen::Vector3d::UnitY()) * turn(2, Eigen::Vector3d::UnitZ());
     const Eigen::Matrix3d axes = ours_from_theirs();
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = axes * theirs * axes.transpose();
     pose.translation() = axes * Eigen::Vector3d(v[0], v[1], v[2]) * kMetresPerCentimetre;
-    if (!pose.matrix().allFinite())
-        throw Error(ErrorCode::BadInput, ".pose file: numbers that are not finite");
+    if (!pose.matrix().allFinite()) throw Error(ErrorCode::BadInput, ".pose file: numbers that are not finite");
     return pose;
 }
 
 class ThreeDtkReader final : public ScanReader {
   public:
-    ThreeDtkReader(std::unique_ptr<ByteSource> source, const std::optional<std::string>& pose,
-                   Progress& progress)
+    ThreeDtkReader(std::unique_ptr<ByteSource> source, const std::optional<std::string>& pose, Progress& progress)
         : source_(std::move(source)) {
         info_.format = ScanFormat::ThreeDtk;
         table_.scan_from_file = ours_from_theirs() * kMetresPerCentimetre;
@@ -119,8 +116,8 @@ class ThreeDtkReader final : public ScanReader {
 
 } // namespace
 
-std::unique_ptr<ScanReader> make_3dtk_reader(std::unique_ptr<ByteSource> source,
-                                             const std::optional<std::string>& pose, Progress& progress) {
+std::unique_ptr<ScanReader> make_3dtk_reader(std::unique_ptr<ByteSource> source, const std::optional<std::string>& pose,
+                                             Progress& progress) {
     return std::make_unique<ThreeDtkReader>(std::move(source), pose, progress);
 }
 

@@ -44,9 +44,7 @@ class XyzReader final : public ScanReader {
     std::size_t columns_ = 0;
 };
 
-bool is_numeric(std::string_view field) {
-    return text::parse_double(field).has_value();
-}
+bool is_numeric(std::string_view field) { return text::parse_double(field).has_value(); }
 
 bool has_three_numbers(const std::vector<std::string_view>& fields) {
     return std::count_if(fields.begin(), fields.end(), is_numeric) >= 3;
@@ -74,9 +72,8 @@ std::vector<std::string> XyzReader::find_table() {
         if (has_three_numbers(fields) && is_data_line(line)) {
             table_.separator = separator;
             columns_ = fields.size();
-            const bool comma_inside = std::any_of(fields.begin(), fields.end(), [](std::string_view f) {
-                return f.find(',') != std::string_view::npos;
-            });
+            const bool comma_inside = std::any_of(
+                fields.begin(), fields.end(), [](std::string_view f) { return f.find(',') != std::string_view::npos; });
             table_.decimal = separator != ',' && comma_inside ? ',' : '.';
             break;
         }
@@ -85,8 +82,7 @@ std::vector<std::string> XyzReader::find_table() {
         if (fields.size() < 3) continue;
         names.clear();
         for (std::string_view field : fields) {
-            while (field.starts_with('#') || field.starts_with('/'))
-                field.remove_prefix(1);
+            while (field.starts_with('#') || field.starts_with('/')) field.remove_prefix(1);
             if (!text::trim(field).empty()) names.push_back(text::clean_utf8(text::trim(field)).text);
         }
     }
@@ -105,9 +101,8 @@ void XyzReader::choose_roles(const std::vector<std::string>& names, const OpenOp
             if (role == Role::Other && text::trim(word) != "-") {
                 throw Error(
                     ErrorCode::Usage,
-                    fmt::format(
-                        "'{}' is no column; known are x y z intensity red green blue time and - for others",
-                        word));
+                    fmt::format("'{}' is no column; known are x y z intensity red green blue time and - for others",
+                                word));
             }
             table_.roles.push_back(role);
         }
@@ -117,8 +112,7 @@ void XyzReader::choose_roles(const std::vector<std::string>& names, const OpenOp
         }
         table_.roles.resize(columns_, Role::Other);
     } else {
-        for (const std::string& name : names)
-            table_.roles.push_back(role_of_name(name));
+        for (const std::string& name : names) table_.roles.push_back(role_of_name(name));
         const PointPlan by_name = plan_of(table_.roles);
         if (by_name.has_place()) {
             how = "by the names in the file";

@@ -37,10 +37,8 @@ void PanoramaBuilder::add(const PointBlock& block) {
     for (std::size_t i = 0; i < block.size(); ++i) {
         if (block.validity[i] != Validity::Valid) continue;
         const std::uint64_t source = added_++;
-        if (source >= kMostPoints)
-            throw Error(ErrorCode::BadInput, "a panorama holds at most 4,294 million points");
-        const double range =
-            std::sqrt(block.x[i] * block.x[i] + block.y[i] * block.y[i] + block.z[i] * block.z[i]);
+        if (source >= kMostPoints) throw Error(ErrorCode::BadInput, "a panorama holds at most 4,294 million points");
+        const double range = std::sqrt(block.x[i] * block.x[i] + block.y[i] * block.y[i] + block.z[i] * block.z[i]);
         if (!(range > 0.0)) continue; // the scanner's own place has no direction
         const std::int64_t pixel = p.projection_.index_of(block.x[i], block.y[i], block.z[i]);
         if (pixel < 0) continue;
@@ -73,23 +71,18 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> PanoramaBuilder::closed_gap
             const std::uint32_t here = front[start + i * stride];
             if (here == kNothing) continue;
             const bool small = last != count && i - last > 1 && i - last - 1 <= gap;
-            if (small &&
-                agree(p.ranges_[front[start + last * stride]], p.ranges_[here], p.options_.close_agreement)) {
+            if (small && agree(p.ranges_[front[start + last * stride]], p.ranges_[here], p.options_.close_agreement)) {
                 for (std::size_t k = last + 1; k < i; ++k) {
                     const std::size_t nearer = k - last <= i - k ? last : i;
-                    closed.emplace_back(static_cast<std::uint32_t>(start + k * stride),
-                                        front[start + nearer * stride]);
+                    closed.emplace_back(static_cast<std::uint32_t>(start + k * stride), front[start + nearer * stride]);
                 }
             }
             last = i;
         }
     };
-    for (std::size_t row = 0; row < height; ++row)
-        close_line(row * width, width, 1);
-    for (const auto& [pixel, point] : closed)
-        front[pixel] = point;
-    for (std::size_t column = 0; column < width; ++column)
-        close_line(column, height, width);
+    for (std::size_t row = 0; row < height; ++row) close_line(row * width, width, 1);
+    for (const auto& [pixel, point] : closed) front[pixel] = point;
+    for (std::size_t column = 0; column < width; ++column) close_line(column, height, width);
     return closed;
 }
 
@@ -98,8 +91,7 @@ Panorama PanoramaBuilder::finish(Progress& progress) {
     Panorama& p = panorama_;
     const std::size_t pixels = static_cast<std::size_t>(p.width()) * static_cast<std::size_t>(p.height());
     std::vector<std::uint32_t> points(pixels_.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-        points[i] = i;
+    for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
     if (p.options_.close_gap > 0) {
         for (const auto& [pixel, point] : closed_gaps()) {
             pixels_.push_back(pixel);
@@ -131,8 +123,7 @@ float Panorama::front_range(int column, int row) const noexcept {
 std::uint64_t Panorama::filled() const noexcept {
     std::uint64_t count = 0;
     for (int row = 0; row < height(); ++row) {
-        for (int column = 0; column < width(); ++column)
-            count += points_at(column, row).empty() ? 0U : 1U;
+        for (int column = 0; column < width(); ++column) count += points_at(column, row).empty() ? 0U : 1U;
     }
     return count;
 }
@@ -153,19 +144,15 @@ std::optional<Eigen::Vector3d> Panorama::surface_at(const Eigen::Vector2d& pixel
     }
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
-    const auto off = [&](std::uint32_t i) {
-        return (place(i) / static_cast<double>(ranges_[i]) - *ray).squaredNorm();
-    };
-    const std::uint32_t nearest = *std::min_element(
-        around.begin(), around.end(), [&](std::uint32_t a, std::uint32_t b) { return off(a) < off(b); });
-    std::erase_if(around, [&](std::uint32_t i) {
-        return !agree(ranges_[i], ranges_[nearest], options_.close_agreement);
-    });
+    const auto off = [&](std::uint32_t i) { return (place(i) / static_cast<double>(ranges_[i]) - *ray).squaredNorm(); };
+    const std::uint32_t nearest = *std::min_element(around.begin(), around.end(),
+                                                    [&](std::uint32_t a, std::uint32_t b) { return off(a) < off(b); });
+    std::erase_if(around,
+                  [&](std::uint32_t i) { return !agree(ranges_[i], ranges_[nearest], options_.close_agreement); });
     const Eigen::Vector3d along = *ray * static_cast<double>(ranges_[nearest]);
     if (around.size() < kFewestForPlane) return along;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (const std::uint32_t i : around)
-        centre += place(i);
+    for (const std::uint32_t i : around) centre += place(i);
     centre /= static_cast<double>(around.size());
     // How far along the ray's direction the surface lies, as a linear function of the two others.
     const Eigen::Vector3d side = ray->unitOrthogonal();
@@ -182,8 +169,7 @@ std::optional<Eigen::Vector3d> Panorama::surface_at(const Eigen::Vector2d& pixel
     const Eigen::Vector2d slope = normal.ldlt().solve(right_side);
     const Eigen::Vector2d to_axis(-centre.dot(side), -centre.dot(up));
     const double range = centre.dot(*ray) + slope.dot(to_axis);
-    return agree(static_cast<float>(range), ranges_[nearest], options_.close_agreement) ? *ray * range
-                                                                                        : along;
+    return agree(static_cast<float>(range), ranges_[nearest], options_.close_agreement) ? *ray * range : along;
 }
 
 } // namespace planum::scans

@@ -72,9 +72,7 @@ class Panorama {
 
     [[nodiscard]] int height() const noexcept { return projection_.options().height; }
 
-    [[nodiscard]] std::uint64_t points() const noexcept {
-        return ranges_.size();
-    } ///< that fell into the picture
+    [[nodiscard]] std::uint64_t points() const noexcept { return ranges_.size(); } ///< that fell into the picture
 
     /// Points of a pixel, nearest first, by the order in which they came into the picture.
     [[nodiscard]] std::span<const std::uint32_t> points_at(int column, int row) const noexcept;

@@ -20,8 +20,7 @@ namespace {
 template<class T>
 T quantile(std::vector<T> values, double share) {
     if (values.empty()) return T{};
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
 }
@@ -53,14 +52,10 @@ void flush_nothing(png_structp /*png*/) {}
 
 std::string_view channel_name(Channel channel) noexcept {
     switch (channel) {
-    case Channel::Reflectance:
-        return "reflectance";
-    case Channel::Range:
-        return "range";
-    case Channel::Colour:
-        return "colour";
-    case Channel::Normals:
-        return "normals";
+    case Channel::Reflectance: return "reflectance";
+    case Channel::Range: return "range";
+    case Channel::Colour: return "colour";
+    case Channel::Normals: return "normals";
     }
     return "";
 }
@@ -85,8 +80,7 @@ std::uint8_t Panorama::shade(int column, int row) const noexcept {
 }
 
 Picture Panorama::picture(Channel channel) const {
-    if ((channel == Channel::Reflectance && !has_.intensity) ||
-        (channel == Channel::Colour && !has_.colour)) {
+    if ((channel == Channel::Reflectance && !has_.intensity) || (channel == Channel::Colour && !has_.colour)) {
         throw Error(ErrorCode::BadInput, fmt::format("the scan has no {}", channel_name(channel)));
     }
     Picture picture{width(), height(), channel == Channel::Colour ? 3 : 1, {}};
@@ -106,12 +100,8 @@ Picture Panorama::picture(Channel channel) const {
             case Channel::Reflectance:
                 picture.values[at] = grey((intensities_[front] - dark) / std::max(1.0, bright - dark));
                 break;
-            case Channel::Range:
-                picture.values[at] = grey(1.0 - static_cast<double>(ranges_[front]) / far);
-                break;
-            case Channel::Normals:
-                picture.values[at] = shade(column, row);
-                break;
+            case Channel::Range: picture.values[at] = grey(1.0 - static_cast<double>(ranges_[front]) / far); break;
+            case Channel::Normals: picture.values[at] = shade(column, row); break;
             case Channel::Colour:
                 picture.values[at] = colours_[front].red;
                 picture.values[at + 1] = colours_[front].green;
@@ -138,8 +128,8 @@ std::string encode_png(const Picture& picture) {
         throw Error(ErrorCode::Internal, "the picture cannot be written as PNG");
     }
     png_set_write_fn(png, &out, append_bytes, flush_nothing);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height),
-                 8, picture.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+    png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), 8,
+                 picture.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png, 6);
     png_set_rows(png, info, rows.data());
@@ -159,15 +149,14 @@ void write_panorama(const Panorama& panorama, Channel channel, const std::filesy
             pose += fmt::format("{}{}", i == 0 ? "" : ", ", site_from_scan->matrix()(i / 4, i % 4));
         pose += "]";
     }
-    const std::string json =
-        fmt::format("{{\n  \"scan\": {},\n  \"channel\": \"{}\",\n  \"projection\": \"{}\",\n  \"width\": "
-                    "{},\n  \"height\": {},\n"
-                    "  \"azimuth_left_deg\": {},\n  \"azimuth_right_deg\": {},\n  \"elevation_top_deg\": "
-                    "{},\n  \"elevation_bottom_deg\": {},\n"
-                    "  \"views\": {},\n  \"pannini_distance\": {},\n  \"site_from_scan\": {}\n}}\n",
-                    json_text(scan), channel_name(channel), projection_name(o.kind), o.width, o.height,
-                    o.azimuth_to * kDegrees, o.azimuth_from * kDegrees, o.elevation_to * kDegrees,
-                    o.elevation_from * kDegrees, o.views, o.distance, pose);
+    const std::string json = fmt::format(
+        "{{\n  \"scan\": {},\n  \"channel\": \"{}\",\n  \"projection\": \"{}\",\n  \"width\": "
+        "{},\n  \"height\": {},\n"
+        "  \"azimuth_left_deg\": {},\n  \"azimuth_right_deg\": {},\n  \"elevation_top_deg\": "
+        "{},\n  \"elevation_bottom_deg\": {},\n"
+        "  \"views\": {},\n  \"pannini_distance\": {},\n  \"site_from_scan\": {}\n}}\n",
+        json_text(scan), channel_name(channel), projection_name(o.kind), o.width, o.height, o.azimuth_to * kDegrees,
+        o.azimuth_from * kDegrees, o.elevation_to * kDegrees, o.elevation_from * kDegrees, o.views, o.distance, pose);
     write_file_atomically(png, encode_png(panorama.picture(channel)));
     std::filesystem::path beside = png;
     write_file_atomically(beside.replace_extension(".json"), json);

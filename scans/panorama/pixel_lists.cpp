@@ -8,8 +8,7 @@ namespace planum::scans {
 PixelLists::PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_of_entry,
                        std::span<const std::uint32_t> point_of_entry, std::span<const float> ranges) {
     std::vector<std::uint32_t> next(pixels + 1);
-    for (const std::uint32_t pixel : pixel_of_entry)
-        ++next[pixel + 1];
+    for (const std::uint32_t pixel : pixel_of_entry) ++next[pixel + 1];
     counts_.resize(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
         const std::uint32_t count = next[i + 1];
@@ -19,8 +18,7 @@ PixelLists::PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_
         if (i % kGroup == 0) starts_.push_back(next[i]);
     }
     entries_.resize(pixel_of_entry.size());
-    for (std::size_t i = 0; i < pixel_of_entry.size(); ++i)
-        entries_[next[pixel_of_entry[i]]++] = point_of_entry[i];
+    for (std::size_t i = 0; i < pixel_of_entry.size(); ++i) entries_[next[pixel_of_entry[i]]++] = point_of_entry[i];
     // After filling, next[i] is where pixel i ends.
     for (std::size_t i = 0; i < pixels; ++i) {
         if (counts_[i] < 2) continue;
@@ -33,16 +31,14 @@ PixelLists::PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_
 
 std::uint32_t PixelLists::count_of(std::size_t pixel) const noexcept {
     if (counts_[pixel] < 255) return counts_[pixel];
-    const auto found =
-        std::lower_bound(large_.begin(), large_.end(), std::pair{static_cast<std::uint32_t>(pixel), 0U});
+    const auto found = std::lower_bound(large_.begin(), large_.end(), std::pair{static_cast<std::uint32_t>(pixel), 0U});
     return found->second;
 }
 
 std::span<const std::uint32_t> PixelLists::at(std::size_t pixel) const noexcept {
     if (counts_[pixel] == 0) return {};
     std::size_t start = starts_[pixel / kGroup];
-    for (std::size_t i = pixel / kGroup * kGroup; i < pixel; ++i)
-        start += count_of(i);
+    for (std::size_t i = pixel / kGroup * kGroup; i < pixel; ++i) start += count_of(i);
     return {entries_.data() + start, count_of(pixel)};
 }
 

@@ -15,15 +15,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-constexpr std::array<std::string_view, 8> kNames = {"equirectangular", "cylindrical",  "mercator",
-                                                    "miller",          "equal-area",   "rectilinear",
-                                                    "pannini",         "stereographic"};
+constexpr std::array<std::string_view, 8> kNames = {"equirectangular", "cylindrical", "mercator", "miller",
+                                                    "equal-area",      "rectilinear", "pannini",  "stereographic"};
 
 } // namespace
 
-std::string_view projection_name(ProjectionKind kind) noexcept {
-    return kNames[static_cast<std::size_t>(kind)];
-}
+std::string_view projection_name(ProjectionKind kind) noexcept { return kNames[static_cast<std::size_t>(kind)]; }
 
 std::optional<ProjectionKind> projection_from_name(std::string_view name) noexcept {
     const auto* const found = std::find(kNames.begin(), kNames.end(), name);
@@ -39,10 +36,8 @@ bool Projection::has_views() const noexcept {
 // Height in the picture's plane by the tangent of the elevation, for the projections around a cylinder.
 double Projection::height_of(double tangent) const noexcept {
     switch (options_.kind) {
-    case ProjectionKind::Equirectangular:
-        return std::atan(tangent);
-    case ProjectionKind::Cylindrical:
-        return tangent;
+    case ProjectionKind::Equirectangular: return std::atan(tangent);
+    case ProjectionKind::Cylindrical: return tangent;
     case ProjectionKind::Mercator:
         return std::copysign(std::log(std::abs(tangent) + std::sqrt(1.0 + tangent * tangent)), tangent);
     case ProjectionKind::Miller: {
@@ -50,32 +45,24 @@ double Projection::height_of(double tangent) const noexcept {
         const double sine = std::sin(0.8 * std::atan(tangent));
         return 0.625 * std::log((1.0 + sine) / (1.0 - sine));
     }
-    case ProjectionKind::EqualArea:
-        return tangent / std::sqrt(1.0 + tangent * tangent);
+    case ProjectionKind::EqualArea: return tangent / std::sqrt(1.0 + tangent * tangent);
     case ProjectionKind::Rectilinear:
     case ProjectionKind::Pannini:
-    case ProjectionKind::Stereographic:
-        break;
+    case ProjectionKind::Stereographic: break;
     }
     return 0.0;
 }
 
 double Projection::elevation_of(double height) const noexcept {
     switch (options_.kind) {
-    case ProjectionKind::Equirectangular:
-        return height;
-    case ProjectionKind::Cylindrical:
-        return std::atan(height);
-    case ProjectionKind::Mercator:
-        return std::atan(std::sinh(height));
-    case ProjectionKind::Miller:
-        return 1.25 * std::atan(std::sinh(0.8 * height));
-    case ProjectionKind::EqualArea:
-        return std::asin(std::clamp(height, -1.0, 1.0));
+    case ProjectionKind::Equirectangular: return height;
+    case ProjectionKind::Cylindrical: return std::atan(height);
+    case ProjectionKind::Mercator: return std::atan(std::sinh(height));
+    case ProjectionKind::Miller: return 1.25 * std::atan(std::sinh(0.8 * height));
+    case ProjectionKind::EqualArea: return std::asin(std::clamp(height, -1.0, 1.0));
     case ProjectionKind::Rectilinear:
     case ProjectionKind::Pannini:
-    case ProjectionKind::Stereographic:
-        break;
+    case ProjectionKind::Stereographic: break;
     }
     return 0.0;
 }
@@ -114,28 +101,25 @@ Projection::Projection(const ProjectionOptions& options) : options_(options) {
                       options.height <= 100000 &&
                       static_cast<std::int64_t>(options.width) * options.height <= 1000000000;
     if (!sane)
-        throw Error(ErrorCode::Usage,
-                    fmt::format("a panorama of {} x {} pixels", options.width, options.height));
+        throw Error(ErrorCode::Usage, fmt::format("a panorama of {} x {} pixels", options.width, options.height));
     const double reach = std::max(std::abs(options.elevation_from), std::abs(options.elevation_to));
-    const bool shows_poles =
-        options.kind == ProjectionKind::Equirectangular || options.kind == ProjectionKind::EqualArea ||
-        options.kind == ProjectionKind::Miller || options.kind == ProjectionKind::Stereographic;
+    const bool shows_poles = options.kind == ProjectionKind::Equirectangular ||
+                             options.kind == ProjectionKind::EqualArea || options.kind == ProjectionKind::Miller ||
+                             options.kind == ProjectionKind::Stereographic;
     const double limit = shows_poles ? kPi / 2.0 : kPi / 2.0 * 0.99;
     if (!(span > 0.0 && span <= 2.0 * kPi + 1e-9) || !(options.elevation_from < options.elevation_to) ||
         !(reach <= limit + 1e-9)) {
         throw Error(
             ErrorCode::Usage,
-            fmt::format(
-                "a {} panorama cannot show elevations up to {:.1f} degrees or azimuths over {:.1f} degrees",
-                projection_name(options.kind), reach * 180.0 / kPi, span * 180.0 / kPi));
+            fmt::format("a {} panorama cannot show elevations up to {:.1f} degrees or azimuths over {:.1f} degrees",
+                        projection_name(options.kind), reach * 180.0 / kPi, span * 180.0 / kPi));
     }
     views_ = has_views() ? std::clamp(options.views, 1, options.width) : 1;
     view_angle_ = span / views_;
     if (has_views() && view_angle_ > 170.0 * kPi / 180.0) {
         throw Error(ErrorCode::Usage,
                     fmt::format("views of {:.0f} degrees are too wide, take at least {} of them",
-                                view_angle_ * 180.0 / kPi,
-                                static_cast<int>(std::ceil(span / (170.0 * kPi / 180.0)))));
+                                view_angle_ * 180.0 / kPi, static_cast<int>(std::ceil(span / (170.0 * kPi / 180.0)))));
     }
     for (int view = 0; view < views_; ++view) {
         const double middle = options.azimuth_to - (view + 0.5) * view_angle_;
@@ -148,10 +132,8 @@ Projection::Projection(const ProjectionOptions& options) : options_(options) {
         bottom = forward(std::cos(options.elevation_from), 0.0, std::sin(options.elevation_from)).y;
     } else {
         plane_left_ = span / 2.0;
-        plane_top_ =
-            height_of(std::tan(std::clamp(options.elevation_to, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
-        bottom =
-            height_of(std::tan(std::clamp(options.elevation_from, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
+        plane_top_ = height_of(std::tan(std::clamp(options.elevation_to, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
+        bottom = height_of(std::tan(std::clamp(options.elevation_from, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
     }
     scale_x_ = static_cast<double>(options.width) / views_ / (2.0 * plane_left_);
     scale_y_ = options.height / (plane_top_ - bottom);
@@ -188,10 +170,8 @@ std::int64_t Projection::index_of(double x, double y, double z) const noexcept {
     double u = 0.0;
     double v = 0.0;
     if (!locate(x, y, z, u, v)) return -1;
-    const std::int64_t column =
-        std::min(static_cast<std::int64_t>(u), static_cast<std::int64_t>(options_.width) - 1);
-    const std::int64_t row =
-        std::min(static_cast<std::int64_t>(v), static_cast<std::int64_t>(options_.height) - 1);
+    const std::int64_t column = std::min(static_cast<std::int64_t>(u), static_cast<std::int64_t>(options_.width) - 1);
+    const std::int64_t row = std::min(static_cast<std::int64_t>(v), static_cast<std::int64_t>(options_.height) - 1);
     return row * options_.width + column;
 }
 
@@ -203,8 +183,8 @@ std::optional<Eigen::Vector3d> Projection::ray_of(const Eigen::Vector2d& pixel) 
     if (!has_views()) {
         const double azimuth = options_.azimuth_to - pixel.x() / scale_x_;
         const double elevation = elevation_of(height);
-        return Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
-                               std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+        return Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                               std::sin(elevation));
     }
     const double strip = static_cast<double>(options_.width) / views_;
     const int view = std::min(static_cast<int>(pixel.x() / strip), views_ - 1);
@@ -212,8 +192,7 @@ std::optional<Eigen::Vector3d> Projection::ray_of(const Eigen::Vector2d& pixel) 
     // Corners of a stereographic or Pannini view may lie beyond its share of the horizon.
     if (std::abs(std::atan2(own.y(), own.x())) > view_angle_ / 2.0 + 1e-12) return std::nullopt;
     const Plane& middle = middles_[static_cast<std::size_t>(view)];
-    return Eigen::Vector3d(middle.x * own.x() - middle.y * own.y(), middle.y * own.x() + middle.x * own.y(),
-                           own.z());
+    return Eigen::Vector3d(middle.x * own.x() - middle.y * own.y(), middle.y * own.x() + middle.x * own.y(), own.z());
 }
 
 } // namespace planum::scans

@@ -37,8 +37,8 @@ double length_of(const Vector6& step) { return std::max(10.0 * step.head<3>().no
 /// The pose on its way from level to level.
 class Alignment {
   public:
-    Alignment(const PreparedScan& target, const PreparedScan& source, const Rigid3& start,
-              const FineOptions& options, Progress& progress)
+    Alignment(const PreparedScan& target, const PreparedScan& source, const Rigid3& start, const FineOptions& options,
+              Progress& progress)
         : target_(target), source_(source), options_(options), progress_(progress) {
         result.target_from_source = start;
     }
@@ -64,12 +64,15 @@ class Alignment {
         const SurfelCloud& target = target_.clouds[target_.cloud_of[level]];
         const SurfelCloud& source = source_.clouds[source_.cloud_of[level]];
         const bool is_last = how.blur <= 0.0;
-        const MatchOptions match{how.max_distance, how.blur, is_last ? kSameFacing : 0.0, 4.0,
-                                 is_last ? MatchWays::Both : MatchWays::Forward, options_.threads};
+        const MatchOptions match{how.max_distance,
+                                 how.blur,
+                                 is_last ? kSameFacing : 0.0,
+                                 4.0,
+                                 is_last ? MatchWays::Both : MatchWays::Forward,
+                                 options_.threads};
         for (int i = 0; i < how.max_iterations; ++i) {
             progress_.check();
-            equations =
-                match_surfels(target, source, result.target_from_source, match, patch_of, weights, matches);
+            equations = match_surfels(target, source, result.target_from_source, match, patch_of, weights, matches);
             ++result.iterations;
             const Vector6 step = damped_step(equations);
             if (!step.allFinite()) return false;

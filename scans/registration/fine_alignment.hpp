@@ -33,18 +33,18 @@ struct FineOptions {
     double max_sigma_rotation = 0.01;  ///< about the worst axis [rad]; more is refused
     /// What no scatter of patches shows because it leans everywhere the same way (incidence, spacing): added to
     /// the covariance. Of the size seen between simulated scans of known pose, see docs/registration.md.
-    double systematic_position = 0.0002; ///< [m]
-    double systematic_rotation = 4e-5;   ///< [rad]
-    double max_shift = 1.0;            ///< from the start [m]; more is refused
+    double systematic_position = 0.0002;               ///< [m]
+    double systematic_rotation = 4e-5;                 ///< [rad]
+    double max_shift = 1.0;                            ///< from the start [m]; more is refused
     double max_turn = 20.0 * std::numbers::pi / 180.0; ///< from the start [rad]; more is refused
-    int threads = 2;                   ///< does not change the result
+    int threads = 2;                                   ///< does not change the result
 };
 
 /// A scan thinned for every level; made once, used for all its pairs.
 struct PreparedScan {
-    std::vector<SurfelCloud> clouds;     ///< from coarse to fine, one a different voxel
-    std::vector<std::size_t> cloud_of;   ///< level → cloud
-    std::size_t points = 0;              ///< finite ones that went in
+    std::vector<SurfelCloud> clouds;   ///< from coarse to fine, one a different voxel
+    std::vector<std::size_t> cloud_of; ///< level → cloud
+    std::size_t points = 0;            ///< finite ones that went in
 };
 
 /// Points in the frame of the scanner, which stands at the origin. Throws BadInput for options that make no
@@ -58,7 +58,7 @@ struct FineResult {
     /// err together count once. Only if accepted.
     geometry::Matrix6 covariance = geometry::Matrix6::Zero();
     geometry::Matrix6 information = geometry::Matrix6::Zero(); ///< its inverse
-    double rms = 0.0;       ///< of the distances along the normals of what votes [m]
+    double rms = 0.0;                                          ///< of the distances along the normals of what votes [m]
     double overlap = 0.0;   ///< share of the source with the same ground in the target, 0…1
     double agreement = 0.0; ///< share of it that is the same where the target has ground at all, 0…1
     double scatter = 0.0;   ///< of patches beyond their noise, one σ [m]

@@ -19,7 +19,7 @@ inline constexpr std::size_t kBlock = 2048;
 
 /// Calls `work(block, begin, end)` once for every block of 0…size on up to `threads` threads, in any order.
 /// An exception of the work is rethrown here.
-template <class Work>
+template<class Work>
 void for_blocks(std::size_t size, int threads, const Work& work) {
     const std::size_t blocks = block_count(size);
     std::atomic<std::size_t> next{0};

@@ -41,8 +41,8 @@ void measure_overlap(FineResult& result, const PreparedScan& target, const Prepa
     const SurfelCloud& coarse_source = source.clouds.back();
     const double spacing = std::max(coarse_target.voxel, coarse_source.voxel);
     std::vector<SurfelMatch> matches;
-    (void)match_surfels(coarse_target, coarse_source, result.target_from_source, {2.0 * spacing, 0.1 * spacing, 0.7, 3.0, MatchWays::Forward, threads},
-                        {}, {}, matches);
+    (void)match_surfels(coarse_target, coarse_source, result.target_from_source,
+                        {2.0 * spacing, 0.1 * spacing, 0.7, 3.0, MatchWays::Forward, threads}, {}, {}, matches);
     double agree = 0.0;
     double near = 0.0;
     double flat = 0.0;
@@ -92,9 +92,8 @@ Vector6 damped_step(const NormalEquations& equations) {
     return -damped.ldlt().solve(equations.gradient);
 }
 
-LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& source,
-                               const Rigid3& target_from_source, std::span<const SurfelMatch> matches,
-                               const PatchMap& map, int threads) {
+LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& source, const Rigid3& target_from_source,
+                               std::span<const SurfelMatch> matches, const PatchMap& map, int threads) {
     std::vector<NormalEquations> pairs(matches.size());
     for_blocks(matches.size(), threads, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -151,10 +150,10 @@ void judge_link(FineResult& result, const PreparedScan& target, const PreparedSc
         stable += patch.state == PatchState::Stable ? 1 : 0;
         judged += patch.state != PatchState::Thin ? 1 : 0;
     }
-    result.verdict = fmt::format("aligned on {} of {} pieces of ground, {:.1f} mm rms, σ {:.2f} mm and {:.4f}°", stable,
-                                 judged, 1000.0 * result.rms,
-                                 1000.0 * worst_sigma(result.covariance.bottomRightCorner<3, 3>()),
-                                 kDegrees * worst_sigma(result.covariance.topLeftCorner<3, 3>()));
+    result.verdict =
+        fmt::format("aligned on {} of {} pieces of ground, {:.1f} mm rms, σ {:.2f} mm and {:.4f}°", stable, judged,
+                    1000.0 * result.rms, 1000.0 * worst_sigma(result.covariance.bottomRightCorner<3, 3>()),
+                    kDegrees * worst_sigma(result.covariance.topLeftCorner<3, 3>()));
 }
 
 } // namespace planum::scans

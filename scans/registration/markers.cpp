@@ -59,15 +59,13 @@ const MarkerSet* rival(const MarkerConsensus& consensus) {
     for (const auto& other : consensus.agreeing) {
         const geometry::Vector6 step =
             geometry::step_between(best.fit.target_from_source, other.fit.target_from_source);
-        const geometry::Vector6 limit =
-            5.0 * (best.fit.covariance + other.fit.covariance).diagonal().cwiseSqrt();
+        const geometry::Vector6 limit = 5.0 * (best.fit.covariance + other.fit.covariance).diagonal().cwiseSqrt();
         if ((step.cwiseAbs().array() > limit.array()).any()) return &other;
     }
     return nullptr;
 }
 
-std::string names_of(const Pairs& pairs, std::span<const Marker> in_scan,
-                     const std::vector<std::size_t>& members) {
+std::string names_of(const Pairs& pairs, std::span<const Marker> in_scan, const std::vector<std::size_t>& members) {
     std::string text;
     for (const auto m : members) text += (text.empty() ? "" : ", ") + in_scan[pairs.at[m]].name;
     return text;
@@ -119,8 +117,8 @@ std::string place_name(const Marker& marker, const MarkerPlacement& placement, s
     return {};
 }
 
-void judge_markers(MarkerPlacement& placement, const Pairs& pairs, const MarkerSet& set,
-                   std::span<const Marker> survey, std::span<const Marker> in_scan, double sigma) {
+void judge_markers(MarkerPlacement& placement, const Pairs& pairs, const MarkerSet& set, std::span<const Marker> survey,
+                   std::span<const Marker> in_scan, double sigma) {
     std::map<std::string, std::string> lies_at; // name written → name of the place
     for (std::size_t i = 0; i < pairs.at.size(); ++i) {
         auto& entry = placement.residuals[pairs.at[i]];
@@ -164,9 +162,8 @@ MarkerPlacement place_by_markers(std::span<const Marker> survey, std::span<const
     MarkerPlacement placement;
     const Pairs pairs = pair_by_name(survey, in_scan, placement.residuals);
     if (pairs.at.size() < 3) {
-        placement.verdict =
-            fmt::format("{} of the scan's {} markers can be paired with the survey, three are needed",
-                        pairs.at.size(), in_scan.size());
+        placement.verdict = fmt::format("{} of the scan's {} markers can be paired with the survey, three are needed",
+                                        pairs.at.size(), in_scan.size());
         for (const auto& entry : placement.residuals) {
             if (!entry.reason.empty()) placement.verdict += fmt::format("; {}: {}", entry.name, entry.reason);
         }

@@ -68,7 +68,7 @@ void measure(PatchMap& map, std::span<const SurfelMatch> matches) {
 
 // Scatter of the patches beyond what their points explain: robust, from the middle of them.
 double scatter_between(const PatchMap& map) {
-    constexpr double kLeast = 2e-5; ///< [m]; nobody's ground is better than that
+    constexpr double kLeast = 2e-5;         ///< [m]; nobody's ground is better than that
     constexpr double kMedianOfChi = 0.4549; // median of χ² with one degree of freedom
     std::vector<double> squares;
     std::vector<double> explained;

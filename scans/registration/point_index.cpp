@@ -15,10 +15,12 @@ struct Coordinates {
     std::vector<Eigen::Vector3f> points;
 
     [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
+
     [[nodiscard]] float kdtree_get_pt(std::size_t i, std::size_t axis) const {
         return points[i][static_cast<Eigen::Index>(axis)];
     }
-    template <class Box>
+
+    template<class Box>
     bool kdtree_get_bbox(Box& /*box*/) const {
         return false; // let it look
     }

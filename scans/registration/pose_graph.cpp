@@ -245,8 +245,8 @@ void check_links(std::span<const PoseNode> nodes, std::span<const PoseLink> link
     for (std::size_t i = 0; i < links.size(); ++i) {
         const auto& link = links[i];
         if (link.target >= nodes.size() || link.source >= nodes.size() || link.target == link.source) {
-            throw Error(ErrorCode::BadInput, fmt::format("link {} joins poses {} and {} of {}", i, link.target,
-                                                         link.source, nodes.size()));
+            throw Error(ErrorCode::BadInput,
+                        fmt::format("link {} joins poses {} and {} of {}", i, link.target, link.source, nodes.size()));
         }
         if (!link.information.allFinite() || !link.target_from_source.rotation.allFinite() ||
             !link.target_from_source.translation.allFinite()) {
@@ -260,8 +260,8 @@ void check_reach(std::span<const PoseNode> nodes, std::span<const PoseLink> link
     (void)spanning_tree(nodes, links, reached);
     const auto lost = std::find(reached.begin(), reached.end(), false);
     if (lost != reached.end()) {
-        throw Error(ErrorCode::BadInput, fmt::format("no chain of links leads from a fixed pose to pose {}",
-                                                     lost - reached.begin()));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("no chain of links leads from a fixed pose to pose {}", lost - reached.begin()));
     }
 }
 
@@ -281,8 +281,7 @@ std::vector<PoseNode> spread_from_fixed(std::span<const PoseNode> nodes, std::sp
         if (step.leads_to_source) {
             spread[link.source].site_from_scan = spread[link.target].site_from_scan * link.target_from_source;
         } else {
-            spread[link.target].site_from_scan =
-                spread[link.source].site_from_scan * link.target_from_source.inverse();
+            spread[link.target].site_from_scan = spread[link.source].site_from_scan * link.target_from_source.inverse();
         }
     }
     return spread;

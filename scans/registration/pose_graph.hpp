@@ -57,13 +57,11 @@ struct PoseGraphResult {
 /// BadInput if a pose hangs on no fixed one (naming its index), links point nowhere, or numbers are not
 /// finite.
 [[nodiscard]] PoseGraphResult relax_poses(std::span<const PoseNode> nodes, std::span<const PoseLink> links,
-                                          const PoseGraphOptions& options = {},
-                                          Progress& progress = Progress::none());
+                                          const PoseGraphOptions& options = {}, Progress& progress = Progress::none());
 
 /// Start values along a spanning tree of the links, breadth first from the fixed poses; poses that hang on none
 /// keep theirs.
-[[nodiscard]] std::vector<PoseNode> spread_from_fixed(std::span<const PoseNode> nodes,
-                                                      std::span<const PoseLink> links);
+[[nodiscard]] std::vector<PoseNode> spread_from_fixed(std::span<const PoseNode> nodes, std::span<const PoseLink> links);
 
 /// Error of one link in standard deviations.
 [[nodiscard]] double link_error(const PoseLink& link, const geometry::Rigid3& site_from_target,

@@ -52,13 +52,12 @@ void add(NormalEquations& sum, const PairGeometry& pair, double weight) {
 }
 
 // The nearest flat surfel of the other cloud, if there is one within reach.
-bool find(const Surfel& surfel, const SurfelCloud& other, const Rigid3& other_from_surfel,
-          const MatchOptions& options, std::uint32_t& index) {
+bool find(const Surfel& surfel, const SurfelCloud& other, const Rigid3& other_from_surfel, const MatchOptions& options,
+          std::uint32_t& index) {
     if (!surfel.is_flat) return false;
     const auto near = other.index.nearest(other_from_surfel * surfel.position);
     index = near.index;
-    return near.squared_distance <= options.max_distance * options.max_distance &&
-           other.surfels[near.index].is_flat;
+    return near.squared_distance <= options.max_distance * options.max_distance && other.surfels[near.index].is_flat;
 }
 
 PairGeometry judge(SurfelMatch& match, const Surfel& target, const Surfel& source, const Rigid3& pose,
@@ -93,10 +92,9 @@ NormalEquations equations_of(const Surfel& target, const Surfel& source, const R
     return sum;
 }
 
-NormalEquations match_surfels(const SurfelCloud& target, const SurfelCloud& source,
-                              const Rigid3& target_from_source, const MatchOptions& options,
-                              std::span<const std::uint32_t> patch_of, std::span<const double> patch_weight,
-                              std::vector<SurfelMatch>& matches) {
+NormalEquations match_surfels(const SurfelCloud& target, const SurfelCloud& source, const Rigid3& target_from_source,
+                              const MatchOptions& options, std::span<const std::uint32_t> patch_of,
+                              std::span<const double> patch_weight, std::vector<SurfelMatch>& matches) {
     const std::size_t forward = source.surfels.size();
     const std::size_t size = forward + (options.ways == MatchWays::Both ? target.surfels.size() : 0);
     matches.assign(size, {});
@@ -108,9 +106,9 @@ NormalEquations match_surfels(const SurfelCloud& target, const SurfelCloud& sour
         NormalEquations sum;
         for (std::size_t i = begin; i < end; ++i) {
             SurfelMatch& match = matches[i];
-            const bool found = i < forward
-                                   ? find(source.surfels[i], target, target_from_source, options, match.target)
-                                   : find(target.surfels[i - forward], source, source_from_target, options, match.source);
+            const bool found =
+                i < forward ? find(source.surfels[i], target, target_from_source, options, match.target)
+                            : find(target.surfels[i - forward], source, source_from_target, options, match.source);
             (i < forward ? match.source : match.target) = static_cast<std::uint32_t>(i < forward ? i : i - forward);
             if (!found) continue;
             const Surfel& t = target.surfels[match.target];

@@ -61,9 +61,8 @@ struct NormalEquations {
 /// patch (patch_of[target surfel] → patch_weight; both empty: 1). Fills `matches`: one a source surfel, then,
 /// if asked for, one a target surfel.
 [[nodiscard]] NormalEquations match_surfels(const SurfelCloud& target, const SurfelCloud& source,
-                                            const geometry::Rigid3& target_from_source,
-                                            const MatchOptions& options, std::span<const std::uint32_t> patch_of,
-                                            std::span<const double> patch_weight,
-                                            std::vector<SurfelMatch>& matches);
+                                            const geometry::Rigid3& target_from_source, const MatchOptions& options,
+                                            std::span<const std::uint32_t> patch_of,
+                                            std::span<const double> patch_weight, std::vector<SurfelMatch>& matches);
 
 } // namespace planum::scans

@@ -73,8 +73,8 @@ Surfel surfel_at(const std::vector<Eigen::Vector3d>& points, std::size_t at, con
     if (-surfel.normal.dot(surfel.position) < kLeastIncidence * range) surfel.is_flat = false;
     const double across = std::max(variance[2], options.noise * options.noise);
     const double along = std::max(variance[0], options.noise * options.noise);
-    surfel.covariance = across * Eigen::Matrix3d::Identity() +
-                        (along - across) * surfel.normal * surfel.normal.transpose();
+    surfel.covariance =
+        across * Eigen::Matrix3d::Identity() + (along - across) * surfel.normal * surfel.normal.transpose();
     return surfel;
 }
 

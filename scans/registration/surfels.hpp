@@ -14,16 +14,16 @@ namespace planum::scans {
 
 /// A point with the little plane it lies in.
 struct Surfel {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< unit, towards the scanner
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();       ///< [m]
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();        ///< unit, towards the scanner
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity(); ///< thin along the normal, wide across [m²]
-    bool is_flat = false; ///< false: edge, twig, single scan line; does not vote
+    bool is_flat = false;                                     ///< false: edge, twig, single scan line; does not vote
 };
 
 struct SurfelOptions {
-    double voxel = 0.02;        ///< points within one cube of this edge become one [m]; 0: none do
-    int neighbours = 12;        ///< points that make the plane
-    double noise = 0.0005;      ///< least spread along a normal that is believed [m]
+    double voxel = 0.02;   ///< points within one cube of this edge become one [m]; 0: none do
+    int neighbours = 12;   ///< points that make the plane
+    double noise = 0.0005; ///< least spread along a normal that is believed [m]
     int threads = 2;
 };
 

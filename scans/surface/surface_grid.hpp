@@ -24,8 +24,7 @@ struct GridFrame {
     }
 
     [[nodiscard]] std::size_t at(std::int32_t row, std::int32_t column) const noexcept {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-               static_cast<std::size_t>(column);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
     }
 
     /// Centre of a cell in site coordinates [m].
@@ -33,9 +32,7 @@ struct GridFrame {
         return (static_cast<double>(west + column) + 0.5) * cell;
     }
 
-    [[nodiscard]] double y(std::int32_t row) const noexcept {
-        return (static_cast<double>(south + row) + 0.5) * cell;
-    }
+    [[nodiscard]] double y(std::int32_t row) const noexcept { return (static_cast<double>(south + row) + 0.5) * cell; }
 
     friend bool operator==(const GridFrame&, const GridFrame&) = default;
 };
@@ -55,8 +52,8 @@ struct SurfaceGrid {
     std::vector<float> height; ///< robust height in site [m]; NaN where Unseen
     std::vector<float> spread; ///< robust standard deviation of the heights in the cell [m]
     std::vector<float>
-        pose_sigma; ///< vertical σ from the registration of the scans seen here [m]; common to neighbours
-    std::vector<float> slope;         ///< of the ground over neighbouring cells, tangent; NaN where unknown
+        pose_sigma;           ///< vertical σ from the registration of the scans seen here [m]; common to neighbours
+    std::vector<float> slope; ///< of the ground over neighbouring cells, tangent; NaN where unknown
     std::vector<std::uint16_t> count; ///< points, at most 65535
     std::vector<CellState> state;
 };

@@ -20,16 +20,11 @@ struct Family {
 };
 
 constexpr std::array kFamilies = {
-    Family{"looking for circles", check_cycles},
-    Family{"comparing relations", check_pairs},
-    Family{"comparing levels", check_levels},
-    Family{"comparing dates", check_dates},
-    Family{"comparing phases", check_phases},
-    Family{"following the digging", check_digging},
-    Family{"looking at kinds", check_kinds},
-    Family{"looking at numbers", check_numbers},
-    Family{"looking at sources", check_sources},
-    Family{"counting redundant relations", check_redundancy},
+    Family{"looking for circles", check_cycles}, Family{"comparing relations", check_pairs},
+    Family{"comparing levels", check_levels},    Family{"comparing dates", check_dates},
+    Family{"comparing phases", check_phases},    Family{"following the digging", check_digging},
+    Family{"looking at kinds", check_kinds},     Family{"looking at numbers", check_numbers},
+    Family{"looking at sources", check_sources}, Family{"counting redundant relations", check_redundancy},
 };
 
 constexpr std::array kCodes = {
@@ -76,8 +71,6 @@ CheckResult check(const model::Record& record, const HarrisMatrix& merged, const
     return result;
 }
 
-std::span<const CheckCode> all_check_codes() noexcept {
-    return kCodes;
-}
+std::span<const CheckCode> all_check_codes() noexcept { return kCodes; }
 
 } // namespace planum::strat

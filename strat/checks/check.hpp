@@ -15,11 +15,11 @@
 namespace planum::strat {
 
 struct CheckOptions {
-    bool with_infos = true;             ///< isolated units, redundant relations
-    std::size_t alike_become_one = 20;  ///< more infos than this with one code become one
-    double near = 0.5;                  ///< points this close in plan are compared directly [m]
-    std::size_t exact_up_to = 20;       ///< nodes of a cycle group whose suspects are found exactly
-    std::size_t suspects_shown = 12;    ///< at most this many beyond the set that breaks all cycles
+    bool with_infos = true;            ///< isolated units, redundant relations
+    std::size_t alike_become_one = 20; ///< more infos than this with one code become one
+    double near = 0.5;                 ///< points this close in plan are compared directly [m]
+    std::size_t exact_up_to = 20;      ///< nodes of a cycle group whose suspects are found exactly
+    std::size_t suspects_shown = 12;   ///< at most this many beyond the set that breaks all cycles
 };
 
 struct CheckResult {
@@ -31,9 +31,8 @@ struct CheckResult {
 /// say about pairs. `merged` is the matrix of the same record with same_as merged. Result and order do
 /// not depend on the order of the input. O((units + relations) log units) apart from cycle groups.
 /// Throws Error{Cancelled} when asked to stop.
-[[nodiscard]] CheckResult check(const model::Record& record, const HarrisMatrix& merged,
-                                const CheckOptions& options, std::span<const model::SurfaceEvidence> surfaces,
-                                Progress& progress);
+[[nodiscard]] CheckResult check(const model::Record& record, const HarrisMatrix& merged, const CheckOptions& options,
+                                std::span<const model::SurfaceEvidence> surfaces, Progress& progress);
 
 /// One code and what it means; docs/checks.md and the help are made from the same table.
 struct CheckCode {

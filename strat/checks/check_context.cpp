@@ -101,8 +101,8 @@ void place_levels(CheckContext& c) {
     // half millimetre is for decimal fractions that binary numbers only come near.
     constexpr double kRounding = 0.0005;
     for (Heights& h : c.heights) {
-        h.contradictory = h.lowest_base && h.highest_top &&
-                          *h.lowest_base > *h.highest_top + c.record.settings.tolerance - kRounding;
+        h.contradictory =
+            h.lowest_base && h.highest_top && *h.lowest_base > *h.highest_top + c.record.settings.tolerance - kRounding;
     }
 }
 
@@ -168,13 +168,9 @@ model::Diagnostic make_diagnostic(model::Severity severity, std::string_view cod
     return d;
 }
 
-std::string metres(double value) {
-    return fmt::format("{:.2f} m", value);
-}
+std::string metres(double value) { return fmt::format("{:.2f} m", value); }
 
-std::string year_text(model::Year year) {
-    return year < 0 ? fmt::format("{} BCE", -year) : fmt::format("{} CE", year);
-}
+std::string year_text(model::Year year) { return year < 0 ? fmt::format("{} BCE", -year) : fmt::format("{} CE", year); }
 
 std::string list_names(const std::vector<std::string>& names, std::size_t limit) {
     std::string text;
@@ -212,8 +208,7 @@ std::string path_text(const CheckContext& context, std::span<const std::uint32_t
     return text;
 }
 
-std::vector<model::NamedRelation> path_relations(const CheckContext& context,
-                                                 std::span<const std::uint32_t> orders) {
+std::vector<model::NamedRelation> path_relations(const CheckContext& context, std::span<const std::uint32_t> orders) {
     std::vector<model::NamedRelation> relations;
     for (const std::uint32_t order : orders) {
         const auto because = context.matrix.because(order);

@@ -25,7 +25,9 @@ struct StatedSides {
     std::uint16_t neither = 0;
 
     [[nodiscard]] bool both() const noexcept { return subject > 0 && object > 0; }
+
     [[nodiscard]] bool only_subject() const noexcept { return subject > 0 && object == 0; }
+
     [[nodiscard]] bool only_object() const noexcept { return object > 0 && subject == 0; }
 };
 
@@ -61,21 +63,25 @@ struct CheckContext {
     std::vector<std::uint32_t> level_begin;     ///< of each unit in levels_by_unit, one past at the end
     std::vector<std::uint32_t> levels_by_unit;  ///< positions in record.levels
     std::vector<Heights> heights;
-    std::vector<std::uint32_t> relation_begin;  ///< of each unit in relations_by_unit, one past at the end
+    std::vector<std::uint32_t> relation_begin;    ///< of each unit in relations_by_unit, one past at the end
     std::vector<RelationIndex> relations_by_unit; ///< as subject or object; a self relation once
 
     [[nodiscard]] const model::StratigraphicUnit& unit(UnitIndex u) const { return record.units[u]; }
+
     [[nodiscard]] bool is_void(UnitIndex u) const noexcept;
     [[nodiscard]] bool is_mentioned(UnitIndex u) const noexcept;
+
     [[nodiscard]] bool known(RelationIndex r) const noexcept {
         return subject[r] != model::kNoUnit && object[r] != model::kNoUnit;
     }
+
     /// Both units are known and the kind puts the subject later.
     [[nodiscard]] bool states_order(RelationIndex r) const noexcept;
     [[nodiscard]] std::span<const RelationIndex> relations_of(UnitIndex u) const noexcept;
     [[nodiscard]] std::span<const std::uint32_t> levels_of(UnitIndex u) const noexcept;
 
     [[nodiscard]] std::string name(UnitIndex u) const { return index.name(u); }
+
     /// `AREA::NUMBER` wherever the unit has an area: what ids are made of.
     [[nodiscard]] std::string full_name(UnitIndex u) const;
     /// `1042 covers 1017`
@@ -89,8 +95,7 @@ inline constexpr RelationIndex kNoRelation = static_cast<RelationIndex>(-1);
 
 using Findings = std::vector<model::Diagnostic>;
 
-[[nodiscard]] model::Diagnostic make_diagnostic(model::Severity severity, std::string_view code,
-                                                std::string message);
+[[nodiscard]] model::Diagnostic make_diagnostic(model::Severity severity, std::string_view code, std::string message);
 
 /// `12.31 m`
 [[nodiscard]] std::string metres(double value);

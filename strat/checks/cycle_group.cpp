@@ -47,8 +47,9 @@ std::uint32_t CycleGroup::local(NodeIndex node) const noexcept {
 
 std::vector<std::uint32_t> shortest_cycle_through(const CycleGroup& group, std::uint32_t arc) {
     constexpr std::uint32_t kUnseen = static_cast<std::uint32_t>(-1);
-    const Adjacency out = Adjacency::make(group.nodes.size(), group.arcs.size(),
-                                          [&](std::size_t i) { return group.arcs[i].from; }, [](std::size_t i) { return i; });
+    const Adjacency out = Adjacency::make(
+        group.nodes.size(), group.arcs.size(), [&](std::size_t i) { return group.arcs[i].from; },
+        [](std::size_t i) { return i; });
     std::vector<std::uint32_t> came_by(group.nodes.size(), kUnseen);
     const std::uint32_t start = group.arcs[arc].to;
     const std::uint32_t goal = group.arcs[arc].from;

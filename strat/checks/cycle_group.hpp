@@ -25,8 +25,8 @@ struct CycleGroup {
 
 /// What to doubt in a cycle group.
 struct GroupVerdict {
-    std::vector<model::Suspect> suspects;  ///< best first; the cheapest set of relations stands in front of its rivals
-    std::vector<std::uint32_t> removals;   ///< positions in CycleGroup::arcs: without these no cycle is left
+    std::vector<model::Suspect> suspects; ///< best first; the cheapest set of relations stands in front of its rivals
+    std::vector<std::uint32_t> removals;  ///< positions in CycleGroup::arcs: without these no cycle is left
     bool exact = true;
     bool cannot_tell = false; ///< another choice would do as well
 };

@@ -23,7 +23,9 @@ std::vector<char> units_in_own_cycles(const CheckContext& c) {
     std::vector<Order> orders;
     for (RelationIndex r = 0; r < c.subject.size(); ++r) {
         if (!c.states_order(r) || c.subject[r] == c.object[r]) continue;
-        if (c.matrix.component_of(c.matrix.node_of(c.subject[r])) != c.matrix.component_of(c.matrix.node_of(c.object[r]))) continue;
+        if (c.matrix.component_of(c.matrix.node_of(c.subject[r])) !=
+            c.matrix.component_of(c.matrix.node_of(c.object[r])))
+            continue;
         orders.push_back({c.subject[r], c.object[r]});
     }
     std::sort(orders.begin(), orders.end());
@@ -56,30 +58,37 @@ std::vector<std::vector<std::uint32_t>> proofs(const CycleGroup& group, const Gr
 std::string suspect_text(const CheckContext& c, const model::Suspect& suspect) {
     struct Visitor {
         const CheckContext& context;
+
         [[nodiscard]] std::string relation(const model::NamedRelation& r) const {
-            return fmt::format("{} {} {}", context.index.name(r.unit), model::phrase(r.kind), context.index.name(r.other));
+            return fmt::format("{} {} {}", context.index.name(r.unit), model::phrase(r.kind),
+                               context.index.name(r.other));
         }
+
         std::string operator()(const model::SuspectRelation& s) const { return relation(s.relation); }
+
         std::string operator()(const model::SuspectSameAs& s) const { return relation(s.same_as); }
+
         std::string operator()(const model::SuspectNumber& s) const {
             return fmt::format("{} ({} for {}?)", relation(s.relation), s.written, s.probably);
         }
+
         std::string operator()(const model::SuspectUnit& s) const {
             return fmt::format("{} (two units under one number?)", context.index.name(s.unit));
         }
     };
+
     return std::visit(Visitor{c}, suspect.what);
 }
 
-model::Diagnostic describe(const CheckContext& c, const CycleGroup& group, const GroupVerdict& verdict, bool by_same_as) {
+model::Diagnostic describe(const CheckContext& c, const CycleGroup& group, const GroupVerdict& verdict,
+                           bool by_same_as) {
     const auto cycles = proofs(group, verdict);
     auto d = make_diagnostic(Severity::Error, by_same_as ? "cycle-by-same-as" : "cycle", {});
     for (const NodeIndex node : group.nodes) {
         for (const UnitIndex u : c.matrix.members(node)) d.units.push_back(c.unit(u).id);
     }
     d.message = fmt::format("{} units lie above one another in a circle{}: {}", d.units.size(),
-                            by_same_as ? " once same-as is applied" : "",
-                            path_text(c, cycles.front(), kStepsInText));
+                            by_same_as ? " once same-as is applied" : "", path_text(c, cycles.front(), kStepsInText));
     if (verdict.cannot_tell) {
         d.message += "; nothing in the record tells which of these is wrong";
     } else if (!verdict.suspects.empty()) {
@@ -87,7 +96,8 @@ model::Diagnostic describe(const CheckContext& c, const CycleGroup& group, const
     }
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         for (auto& relation : path_relations(c, cycles[i])) {
-            if (std::find(d.relations.begin(), d.relations.end(), relation) == d.relations.end()) d.relations.push_back(relation);
+            if (std::find(d.relations.begin(), d.relations.end(), relation) == d.relations.end())
+                d.relations.push_back(relation);
         }
         d.evidence[fmt::format("cycle_{}", i + 1)] = path_text(c, cycles[i], 40);
     }
@@ -106,7 +116,8 @@ std::vector<RelationIndex> bridges(const CheckContext& c, NodeIndex node, UnitIn
     std::vector<RelationIndex> inside;
     for (const UnitIndex u : members) {
         for (const RelationIndex r : c.relations_of(u)) {
-            if (c.known(r) && c.subject[r] == u && c.record.relations[r].kind == model::RelationKind::SameAs) inside.push_back(r);
+            if (c.known(r) && c.subject[r] == u && c.record.relations[r].kind == model::RelationKind::SameAs)
+                inside.push_back(r);
         }
     }
     const auto connected_without = [&](RelationIndex left_out) {
@@ -131,28 +142,34 @@ std::vector<RelationIndex> bridges(const CheckContext& c, NodeIndex node, UnitIn
 }
 
 // `u` is stated to be `v`, directly or by way of others, and to lie above it.
-void add_pair_in_one_node(const CheckContext& c, const RelationWeights& weights, RelationIndex relation, Findings& findings) {
+void add_pair_in_one_node(const CheckContext& c, const RelationWeights& weights, RelationIndex relation,
+                          Findings& findings) {
     const UnitIndex u = c.subject[relation];
     const UnitIndex v = c.object[relation];
     auto d = make_diagnostic(Severity::Error, "cycle-by-same-as",
                              fmt::format("{}, yet same-as makes the two one unit", c.sentence(relation)));
     d.units = {c.unit(u).id, c.unit(v).id};
     d.relations = {c.named(relation)};
+
     struct Scored {
         RelationWeight weight;
         model::Suspect suspect;
         bool correlation = false;
     };
+
     std::vector<Scored> all;
     for (const RelationIndex r : bridges(c, c.matrix.node_of(u), u, v)) {
         d.relations.push_back(c.named(r));
-        all.push_back({weights.weigh_same_as(r), {model::SuspectSameAs{c.named(r)}, 0.0, {"without it the two are two units"}},
+        all.push_back({weights.weigh_same_as(r),
+                       {model::SuspectSameAs{c.named(r)}, 0.0, {"without it the two are two units"}},
                        c.record.relations[r].correlation});
     }
     std::stable_sort(all.begin(), all.end(), [](const Scored& a, const Scored& b) {
         return a.correlation != b.correlation ? a.correlation : a.weight.log_odds < b.weight.log_odds;
     });
-    all.push_back({weights.explain(relation), {model::SuspectRelation{c.named(relation)}, 0.0, {"a unit cannot lie above itself"}}, false});
+    all.push_back({weights.explain(relation),
+                   {model::SuspectRelation{c.named(relation)}, 0.0, {"a unit cannot lie above itself"}},
+                   false});
     double sum = 0.0;
     for (const Scored& s : all) sum += std::exp(-s.weight.log_odds);
     for (Scored& s : all) {
@@ -170,7 +187,8 @@ void check_cycles(const CheckContext& context, Findings& findings) {
     std::vector<RelationIndex> in_one_node;
     for (RelationIndex r = 0; r < context.subject.size(); ++r) {
         if (!context.states_order(r) || context.subject[r] == context.object[r]) continue;
-        if (context.matrix.node_of(context.subject[r]) == context.matrix.node_of(context.object[r])) in_one_node.push_back(r);
+        if (context.matrix.node_of(context.subject[r]) == context.matrix.node_of(context.object[r]))
+            in_one_node.push_back(r);
     }
     const auto groups = context.matrix.cycle_groups();
     if (groups.empty() && in_one_node.empty()) return;

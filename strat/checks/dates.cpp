@@ -25,9 +25,7 @@ struct Carried {
 };
 
 // A range of years that somebody wrote down for the unit itself.
-bool is_range(const model::Dating& d) {
-    return d.kind == DatingKind::Typed && d.from && d.to && *d.from < *d.to;
-}
+bool is_range(const model::Dating& d) { return d.kind == DatingKind::Typed && d.from && d.to && *d.from < *d.to; }
 
 // The strongest few bounds of a node, latest first. More than one, because a bound that has met its
 // contradiction goes no further, and the next one must then be known.
@@ -113,12 +111,12 @@ class DateCheck {
     model::Diagnostic described(UnitIndex later, UnitIndex earlier, const std::string& relation) {
         const DateBounds& above = bounds_[later];
         const DateBounds& below = bounds_[earlier];
-        auto d = make_diagnostic(
-            Severity::Error, "date-contradiction",
-            fmt::format("{}, but {} is not later than {} ({}) and {} not earlier than {} ({}): {}", relation,
-                        c_.name(later), year_text(*above.to), dating_name(c_, above.to_dating), c_.name(earlier),
-                        year_text(*below.from), dating_name(c_, below.from_dating),
-                        advice(c_.record.datings[below.from_dating].kind)));
+        auto d = make_diagnostic(Severity::Error, "date-contradiction",
+                                 fmt::format("{}, but {} is not later than {} ({}) and {} not earlier than {} ({}): {}",
+                                             relation, c_.name(later), year_text(*above.to),
+                                             dating_name(c_, above.to_dating), c_.name(earlier), year_text(*below.from),
+                                             dating_name(c_, below.from_dating),
+                                             advice(c_.record.datings[below.from_dating].kind)));
         d.units = {c_.unit(later).id, c_.unit(earlier).id};
         d.evidence["later_not_after"] = *above.to;
         d.evidence["earlier_not_before"] = *below.from;
@@ -129,11 +127,11 @@ class DateCheck {
     void add_own(UnitIndex u) {
         const DateBounds& b = bounds_[u];
         if (!b.from || !b.to || *b.from <= *b.to) return;
-        auto d = make_diagnostic(Severity::Error, "date-contradiction",
-                                 fmt::format("{} holds dates that exclude each other: not earlier than {} ({}), not later than {} ({}); {}",
-                                             c_.name(u), year_text(*b.from), dating_name(c_, b.from_dating),
-                                             year_text(*b.to), dating_name(c_, b.to_dating),
-                                             advice(c_.record.datings[b.from_dating].kind)));
+        auto d = make_diagnostic(
+            Severity::Error, "date-contradiction",
+            fmt::format("{} holds dates that exclude each other: not earlier than {} ({}), not later than {} ({}); {}",
+                        c_.name(u), year_text(*b.from), dating_name(c_, b.from_dating), year_text(*b.to),
+                        dating_name(c_, b.to_dating), advice(c_.record.datings[b.from_dating].kind)));
         d.units = {c_.unit(u).id};
         d.evidence["not_before"] = *b.from;
         d.evidence["not_after"] = *b.to;
@@ -214,8 +212,7 @@ class DateCheck {
 
     void add_same_as(UnitIndex later, UnitIndex earlier) {
         if (!reported_.emplace(later, earlier).second) return;
-        auto d = described(later, earlier,
-                           fmt::format("{} is the same as {}", c_.name(later), c_.name(earlier)));
+        auto d = described(later, earlier, fmt::format("{} is the same as {}", c_.name(later), c_.name(earlier)));
         d.evidence["direct"] = std::int64_t{0};
         findings_.push_back(std::move(d));
     }

@@ -44,7 +44,8 @@ void check_digging(const CheckContext& c, Findings& findings) {
         if (!dug_before(below, above) || dug_in_parts(above) || dug_in_parts(below)) continue;
         const std::string& begun = above.excavated_from.empty() ? above.excavated_on : above.excavated_from;
         auto d = make_diagnostic(model::Severity::Warning, "dug-too-early",
-                                 fmt::format("{}, but {} was dug out on {}, before {} was dug on {}: the relation, a date or the sequence of digging is wrong",
+                                 fmt::format("{}, but {} was dug out on {}, before {} was dug on {}: the relation, a "
+                                             "date or the sequence of digging is wrong",
                                              c.sentence(r), c.name(c.object[r]), below.excavated_on.substr(0, 10),
                                              c.name(c.subject[r]), begun.substr(0, 10)));
         d.units = {above.id, below.id};

@@ -61,7 +61,7 @@ enum class PhaseOrder { Earlier, Later, Same, Unknown };
 struct PhaseComparison {
     PhaseOrder order = PhaseOrder::Unknown; ///< of the first unit's phase to the second's
     bool by_years = false;
-    std::string first;  ///< "phase 2 (1200 CE to 1300 CE)"
+    std::string first; ///< "phase 2 (1200 CE to 1300 CE)"
     std::string second;
 };
 
@@ -70,6 +70,7 @@ class PhaseComparer {
   public:
     explicit PhaseComparer(const model::Record& record);
     [[nodiscard]] PhaseComparison compare(UnitIndex a, UnitIndex b) const;
+
     [[nodiscard]] bool has_any() const noexcept { return any_; }
 
   private:
@@ -85,7 +86,6 @@ class PhaseComparer {
 [[nodiscard]] bool dug_before(const model::StratigraphicUnit& earlier, const model::StratigraphicUnit& later);
 
 /// Whether a relation's kind does not fit the kinds of its units (a deposit that cuts).
-[[nodiscard]] bool kinds_mismatch(const CheckContext& context, RelationIndex relation,
-                                  model::Strictness strictness);
+[[nodiscard]] bool kinds_mismatch(const CheckContext& context, RelationIndex relation, model::Strictness strictness);
 
 } // namespace planum::strat

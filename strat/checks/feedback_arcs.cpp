@@ -69,10 +69,12 @@ FeedbackSet solve_part(const Part& part, const FeedbackOptions& options) {
 class Exchanges {
   public:
     Exchanges(const Part& part, const std::vector<char>& cut) : part_(part), cut_(cut) {
-        out_ = Adjacency::make(part.nodes, part.arcs.size(), [&](std::size_t i) { return part.arcs[i].from; },
-                               [](std::size_t i) { return i; });
-        in_ = Adjacency::make(part.nodes, part.arcs.size(), [&](std::size_t i) { return part.arcs[i].to; },
-                              [](std::size_t i) { return i; });
+        out_ = Adjacency::make(
+            part.nodes, part.arcs.size(), [&](std::size_t i) { return part.arcs[i].from; },
+            [](std::size_t i) { return i; });
+        in_ = Adjacency::make(
+            part.nodes, part.arcs.size(), [&](std::size_t i) { return part.arcs[i].to; },
+            [](std::size_t i) { return i; });
         sort();
     }
 
@@ -80,7 +82,8 @@ class Exchanges {
     [[nodiscard]] std::vector<std::uint32_t> between(std::uint32_t from, std::uint32_t to) {
         std::vector<std::uint32_t> reached = mark(from, to, kDown);
         const std::vector<std::uint32_t> up = mark(to, from, kUp);
-        std::sort(reached.begin(), reached.end(), [&](std::uint32_t a, std::uint32_t b) { return place_[a] < place_[b]; });
+        std::sort(reached.begin(), reached.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return place_[a] < place_[b]; });
         std::vector<std::uint32_t> carriers;
         std::size_t open = 0;
         for (const std::uint32_t node : reached) {
@@ -159,9 +162,8 @@ std::vector<double> by_exchange(const Part& part, const FeedbackSet& best) {
     // The least trusted arcs first; each costs a walk through the whole part.
     constexpr std::size_t kExchanged = 64;
     std::vector<std::uint32_t> order = best.arcs;
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return part.arcs[a].weight < part.arcs[b].weight;
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return part.arcs[a].weight < part.arcs[b].weight; });
     if (order.size() > kExchanged) order.resize(kExchanged);
     for (const std::uint32_t arc : order) {
         for (const std::uint32_t carrier : exchanges.between(part.arcs[arc].to, part.arcs[arc].from)) {
@@ -193,7 +195,8 @@ void refine(const Part& part, const FeedbackSet& best, const FeedbackOptions& op
 
 } // namespace
 
-FeedbackSet minimum_feedback_arcs(std::size_t nodes, std::span<const WeightedArc> arcs, const FeedbackOptions& options) {
+FeedbackSet minimum_feedback_arcs(std::size_t nodes, std::span<const WeightedArc> arcs,
+                                  const FeedbackOptions& options) {
     FeedbackSet result;
     for (const Part& part : strong_parts(nodes, arcs)) {
         const FeedbackSet solved = solve_part(part, options);
@@ -222,16 +225,18 @@ std::vector<double> cheapest_with_each(std::size_t nodes, std::span<const Weight
             own.weight += part.arcs[i].weight;
         }
         std::vector<double> local = by_exchange(part, own);
-        if (part.nodes <= kSolveAgain && part.arcs.size() <= kSparse && own.arcs.size() > 1) refine(part, own, options, local);
-        for (std::size_t i = 0; i < local.size(); ++i) cheapest[part.positions[i]] = best.weight - own.weight + local[i];
+        if (part.nodes <= kSolveAgain && part.arcs.size() <= kSparse && own.arcs.size() > 1)
+            refine(part, own, options, local);
+        for (std::size_t i = 0; i < local.size(); ++i)
+            cheapest[part.positions[i]] = best.weight - own.weight + local[i];
     }
     return cheapest;
 }
 
 bool is_acyclic(std::size_t nodes, std::span<const WeightedArc> arcs, const std::vector<char>& left_out) {
     std::vector<std::uint32_t> waiting(nodes, 0);
-    const Adjacency out = Adjacency::make(nodes, arcs.size(), [&](std::size_t i) { return arcs[i].from; },
-                                          [](std::size_t i) { return i; });
+    const Adjacency out = Adjacency::make(
+        nodes, arcs.size(), [&](std::size_t i) { return arcs[i].from; }, [](std::size_t i) { return i; });
     for (std::size_t i = 0; i < arcs.size(); ++i) {
         if (left_out[i] == 0) ++waiting[arcs[i].to];
     }

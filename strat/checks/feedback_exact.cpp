@@ -59,7 +59,7 @@ class Contracted {
         double weight = 0.0;
     };
 
-    template <class CellOf>
+    template<class CellOf>
     [[nodiscard]] Side side_of(std::size_t v, CellOf cell_of) {
         Side side;
         for (std::size_t x = 0; x < nodes_; ++x) {
@@ -196,7 +196,8 @@ class SubsetProgramme {
     }
 
     // The same programme for the subsets of one half alone.
-    [[nodiscard]] std::vector<double> least(const std::vector<double>& table, std::size_t first, std::size_t last) const {
+    [[nodiscard]] std::vector<double> least(const std::vector<double>& table, std::size_t first,
+                                            std::size_t last) const {
         const std::size_t n = nodes_.size();
         std::vector<double> weight(std::size_t{1} << (last - first), kInfinite);
         weight[0] = 0.0;
@@ -217,7 +218,8 @@ class SubsetProgramme {
             const auto v = static_cast<std::size_t>(__builtin_ctzll(left));
             const std::size_t before = set & ~(left & (~left + 1));
             const std::size_t low = before & ((std::size_t{1} << low_bits_) - 1);
-            const double weight = best[before] + low_[low * nodes_.size() + v] + high_[(before >> low_bits_) * nodes_.size() + v];
+            const double weight =
+                best[before] + low_[low * nodes_.size() + v] + high_[(before >> low_bits_) * nodes_.size() + v];
             if (weight == best[set]) return v;
         }
         return static_cast<std::size_t>(__builtin_ctzll(set));

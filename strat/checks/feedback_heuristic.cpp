@@ -23,8 +23,10 @@ struct Graph {
     Adjacency in;  ///< by head
 
     Graph(std::size_t n, std::span<const WeightedArc> a) : nodes(n), arcs(a) {
-        out = Adjacency::make(n, a.size(), [&](std::size_t i) { return a[i].from; }, [](std::size_t i) { return i; });
-        in = Adjacency::make(n, a.size(), [&](std::size_t i) { return a[i].to; }, [](std::size_t i) { return i; });
+        out = Adjacency::make(
+            n, a.size(), [&](std::size_t i) { return a[i].from; }, [](std::size_t i) { return i; });
+        in = Adjacency::make(
+            n, a.size(), [&](std::size_t i) { return a[i].to; }, [](std::size_t i) { return i; });
     }
 };
 
@@ -165,7 +167,7 @@ class GrowingOrder {
     }
 
     // Nodes reached from `start` without leaving the places between the two ends.
-    template <class Row, class Next, class Inside>
+    template<class Row, class Next, class Inside>
     bool reach(std::uint32_t start, std::uint32_t stop, std::vector<std::uint32_t>& found, Row row, Next next,
                Inside inside) {
         found = {start};
@@ -255,6 +257,7 @@ class Sifting {
         std::uint32_t node;
         double change; // of the backward weight when v steps behind this neighbour
     };
+
     std::vector<Neighbour> near_;
 
     void renumber() {
@@ -274,7 +277,8 @@ class Sifting {
 
     bool sift(std::uint32_t v) {
         near_.clear();
-        for (const std::uint32_t arc : g_.out.row(v)) near_.push_back({key_[g_.arcs[arc].to], g_.arcs[arc].to, g_.arcs[arc].weight});
+        for (const std::uint32_t arc : g_.out.row(v))
+            near_.push_back({key_[g_.arcs[arc].to], g_.arcs[arc].to, g_.arcs[arc].weight});
         double front = 0.0; // backward weight with v before all neighbours
         for (const std::uint32_t arc : g_.in.row(v)) {
             near_.push_back({key_[g_.arcs[arc].from], g_.arcs[arc].from, -g_.arcs[arc].weight});
@@ -346,9 +350,8 @@ std::vector<std::uint32_t> make_minimal(const Graph& g, std::vector<char>& left_
     for (std::uint32_t i = 0; i < left_out.size(); ++i) {
         if (left_out[i] != 0) candidates.push_back(i);
     }
-    std::stable_sort(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return g.arcs[a].weight > g.arcs[b].weight;
-    });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return g.arcs[a].weight > g.arcs[b].weight; });
     constexpr std::uint64_t kArcsLookedAt = 100'000'000;
     GrowingOrder order(g, left_out, kArcsLookedAt);
     for (const std::uint32_t arc : candidates) order.take(arc);

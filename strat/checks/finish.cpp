@@ -28,7 +28,8 @@ std::vector<std::string> named_parts(const CheckContext& c, const model::Diagnos
     std::vector<std::string> relations;
     relations.reserve(d.relations.size());
     for (const model::NamedRelation& r : d.relations) {
-        relations.push_back(fmt::format("{}\t{}\t{}", unit_text(c, r.unit), model::to_word(r.kind), unit_text(c, r.other)));
+        relations.push_back(
+            fmt::format("{}\t{}\t{}", unit_text(c, r.unit), model::to_word(r.kind), unit_text(c, r.other)));
     }
     std::sort(relations.begin(), relations.end());
     units.insert(units.end(), relations.begin(), relations.end());
@@ -109,12 +110,17 @@ std::string evidence_hash(const CheckContext& context, const model::Diagnostic& 
     std::vector<std::string> parts = named_parts(context, d);
     for (const auto& [key, value] : d.evidence) {
         // Which cycle is shown as proof, and how the suspects stand, may change without the problem doing so.
-        if (key.starts_with("cycle_") || key == "exact" || key == "cannot_tell" || key == "removals" || key == "line") continue;
+        if (key.starts_with("cycle_") || key == "exact" || key == "cannot_tell" || key == "removals" || key == "line")
+            continue;
+
         struct Visitor {
             std::string operator()(std::int64_t number) const { return number < 0 ? "-" : number > 0 ? "+" : "0"; }
+
             std::string operator()(double number) const { return number < 0.0 ? "-" : number > 0.0 ? "+" : "0"; }
+
             std::string operator()(const std::string& text) const { return text; }
         };
+
         parts.push_back(key + "=" + std::visit(Visitor{}, value));
     }
     return short_hash(d.code, parts);
@@ -123,6 +129,7 @@ std::string evidence_hash(const CheckContext& context, const model::Diagnostic& 
 void finish(const CheckContext& context, Findings& findings) {
     bundle_infos(context, findings);
     std::map<std::string, int> seen;
+
     struct Keyed {
         model::Severity severity;
         std::string code;
@@ -130,16 +137,19 @@ void finish(const CheckContext& context, Findings& findings) {
         std::string message;
         std::size_t at;
     };
+
     std::vector<Keyed> order;
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const model::Diagnostic& d = findings[i];
         Keyed key{d.severity, d.code, {}, d.message, i};
         // Three units tell any two apart in practice; the message settles the rest.
-        for (std::size_t u = 0; u < std::min<std::size_t>(d.units.size(), 3); ++u) key.units.push_back(context.index.find(d.units[u]));
+        for (std::size_t u = 0; u < std::min<std::size_t>(d.units.size(), 3); ++u)
+            key.units.push_back(context.index.find(d.units[u]));
         order.push_back(std::move(key));
     }
     std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) {
-        return std::tie(a.severity, a.code, a.units, a.message, a.at) < std::tie(b.severity, b.code, b.units, b.message, b.at);
+        return std::tie(a.severity, a.code, a.units, a.message, a.at) <
+               std::tie(b.severity, b.code, b.units, b.message, b.at);
     });
     Findings sorted;
     sorted.reserve(findings.size());

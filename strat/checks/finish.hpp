@@ -5,8 +5,8 @@
 
 namespace planum::strat {
 
-/// Makes more than `alike_become_one` infos (or dangling units) of one code one, sets ids and evidence hashes, sorts: errors
-/// first, then by code, then by the units in record order.
+/// Makes more than `alike_become_one` infos (or dangling units) of one code one, sets ids and evidence hashes, sorts:
+/// errors first, then by code, then by the units in record order.
 void finish(const CheckContext& context, Findings& findings);
 
 /// First 12 hexadecimal digits of the SHA-256 over code, sorted unit names and relations. Where a

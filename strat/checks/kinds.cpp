@@ -50,7 +50,8 @@ std::string mismatch(const CheckContext& c, RelationIndex r, Strictness strictne
         return {};
     case RelationKind::Covers:
     case RelationKind::Abuts:
-        if (strict && u.kind == UnitKind::Cut) return is(u, c.subject[r]) + "; a cut has no body that could lie or lean on anything";
+        if (strict && u.kind == UnitKind::Cut)
+            return is(u, c.subject[r]) + "; a cut has no body that could lie or lean on anything";
         return {};
     case RelationKind::Borders:
     case RelationKind::Later:
@@ -95,7 +96,8 @@ std::vector<Sequence> sequences(const CheckContext& c) {
     return result;
 }
 
-void add_about_unit(const CheckContext& c, Findings& findings, UnitIndex u, std::string_view code, std::string_view text) {
+void add_about_unit(const CheckContext& c, Findings& findings, UnitIndex u, std::string_view code,
+                    std::string_view text) {
     auto d = make_diagnostic(Severity::Warning, code, fmt::format("{} {}", c.name(u), text));
     d.units = {c.unit(u).id};
     findings.push_back(std::move(d));
@@ -116,7 +118,8 @@ void add_incomplete_sequences(const CheckContext& c, Findings& findings) {
         if (c.is_void(u) || c.is_mentioned(u)) continue;
         const model::StratigraphicUnit& unit = c.unit(u);
         const Sequence& s = all[u];
-        if (knows_fills && unit.kind == UnitKind::Deposit && unit.form == UnitForm::Fill && !s.fills && unit.parent.is_nil()) {
+        if (knows_fills && unit.kind == UnitKind::Deposit && unit.form == UnitForm::Fill && !s.fills &&
+            unit.parent.is_nil()) {
             add_about_unit(c, findings, u, "fill-without-cut", "is a fill, but no cut is named that it fills");
         }
         if (unit.kind != UnitKind::Cut) continue;
@@ -136,9 +139,10 @@ void add_natural_above(const CheckContext& c, Findings& findings) {
         const UnitIndex v = c.object[r];
         if (c.unit(u).kind != UnitKind::Natural || c.unit(v).kind == UnitKind::Natural) continue;
         if (c.unit(v).kind == UnitKind::Unknown || c.is_void(u) || c.is_void(v)) continue;
-        auto d = make_diagnostic(Severity::Warning, "natural-not-lowest",
-                                 fmt::format("{}, but {} is natural ground; nothing made by people lies below it unless it was moved",
-                                             c.sentence(r), c.name(u)));
+        auto d = make_diagnostic(
+            Severity::Warning, "natural-not-lowest",
+            fmt::format("{}, but {} is natural ground; nothing made by people lies below it unless it was moved",
+                        c.sentence(r), c.name(u)));
         d.units = {c.unit(u).id, c.unit(v).id};
         d.relations = {c.named(r)};
         findings.push_back(std::move(d));

@@ -15,9 +15,7 @@ using model::LevelRole;
 using model::RelationKind;
 using model::Severity;
 
-bool is_base(LevelRole role) {
-    return role == LevelRole::Base || role == LevelRole::Cut;
-}
+bool is_base(LevelRole role) { return role == LevelRole::Base || role == LevelRole::Cut; }
 
 struct NearPair {
     bool found = false;
@@ -27,7 +25,7 @@ struct NearPair {
 
 // The two points of different units nearest to contradiction: `u`'s level lowest against `v`'s, both of
 // the roles asked for and within `near` of each other in plan.
-template <class RoleOfU, class RoleOfV>
+template<class RoleOfU, class RoleOfV>
 NearPair lowest_against(const CheckContext& c, UnitIndex u, RoleOfU of_u, UnitIndex v, RoleOfV of_v) {
     NearPair worst;
     for (const std::uint32_t i : c.levels_of(u)) {
@@ -66,13 +64,15 @@ LevelJudgement judge_covers(const CheckContext& c, UnitIndex u, UnitIndex v) {
         return contradicted(near.upper, "top", near.lower, "base", true);
     }
     if (hu.highest_top && hv.lowest_base && *hu.highest_top < *hv.lowest_base - tolerance) {
-        return contradicted(*hu.highest_top, "highest level on top", *hv.lowest_base, "lowest level at the base", false);
+        return contradicted(*hu.highest_top, "highest level on top", *hv.lowest_base, "lowest level at the base",
+                            false);
     }
     const NearPair tops = lowest_against(c, u, top, v, top);
-    if (tops.found && tops.upper > tops.lower + tolerance) return {LevelVerdict::Confirmed, {}, tops.upper, tops.lower, "top", "top", true};
+    if (tops.found && tops.upper > tops.lower + tolerance)
+        return {LevelVerdict::Confirmed, {}, tops.upper, tops.lower, "top", "top", true};
     if (hu.lowest_base && hv.highest_top && *hu.lowest_base >= *hv.highest_top - tolerance) {
-        return {LevelVerdict::Confirmed, {}, *hu.lowest_base, *hv.highest_top, "lowest level at the base",
-                "highest level on top", false};
+        return {LevelVerdict::Confirmed, {},   *hu.lowest_base, *hv.highest_top, "lowest level at the base",
+                "highest level on top",  false};
     }
     if (!hu.any() || !hv.any()) return untestable("no levels of one of the units");
     return untestable("levels do not decide it");
@@ -121,10 +121,10 @@ void add_own_contradictions(const CheckContext& c, Findings& findings) {
             bottom = pair.lower;
             near = true;
         }
-        auto d = make_diagnostic(Severity::Warning, "level-contradiction",
-                                 fmt::format("{}: its base at {} lies {} above its top at {}{}", c.name(u),
-                                             metres(bottom), metres(bottom - top), metres(top),
-                                             near ? ", measured at the same place" : ""));
+        auto d =
+            make_diagnostic(Severity::Warning, "level-contradiction",
+                            fmt::format("{}: its base at {} lies {} above its top at {}{}", c.name(u), metres(bottom),
+                                        metres(bottom - top), metres(top), near ? ", measured at the same place" : ""));
         d.units = {c.unit(u).id};
         d.evidence["top_m"] = top;
         d.evidence["base_m"] = bottom;
@@ -139,12 +139,12 @@ void add_contradicted_relations(const CheckContext& c, Findings& findings) {
         const LevelJudgement j = judge_by_levels(c, r);
         if (j.verdict != LevelVerdict::Contradicted) continue;
         const bool cut = c.record.relations[r].kind == RelationKind::Cuts;
-        auto d = make_diagnostic(
-            Severity::Warning, "level-contradiction",
-            fmt::format("{}, but the {} of {} ({}) is {} {} than the {} of {} ({}){}", c.sentence(r), j.upper_is,
-                        c.name(c.subject[r]), metres(j.upper), metres(std::abs(j.upper - j.lower)),
-                        cut ? "higher" : "lower", j.lower_is, c.name(c.object[r]), metres(j.lower),
-                        j.near ? ", measured at the same place" : ""));
+        auto d = make_diagnostic(Severity::Warning, "level-contradiction",
+                                 fmt::format("{}, but the {} of {} ({}) is {} {} than the {} of {} ({}){}",
+                                             c.sentence(r), j.upper_is, c.name(c.subject[r]), metres(j.upper),
+                                             metres(std::abs(j.upper - j.lower)), cut ? "higher" : "lower", j.lower_is,
+                                             c.name(c.object[r]), metres(j.lower),
+                                             j.near ? ", measured at the same place" : ""));
         d.units = {c.unit(c.subject[r]).id, c.unit(c.object[r]).id};
         d.relations = {c.named(r)};
         d.evidence["unit_m"] = j.upper;
@@ -184,9 +184,7 @@ void add_finds_outside(const CheckContext& c, Findings& findings) {
 }
 
 // Both units, packed; evidence is symmetric apart from its sign.
-std::uint64_t pair_key(UnitIndex a, UnitIndex b) {
-    return (static_cast<std::uint64_t>(a) << 32U) | b;
-}
+std::uint64_t pair_key(UnitIndex a, UnitIndex b) { return (static_cast<std::uint64_t>(a) << 32U) | b; }
 
 constexpr double kVisibleArea = 0.1; // m²: the least from which surfaces count
 

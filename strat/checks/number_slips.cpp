@@ -9,9 +9,7 @@ namespace planum::strat {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 } // namespace
 
@@ -70,7 +68,8 @@ std::optional<RelationWeights::Slip> RelationWeights::reciprocal_slip(RelationIn
         if (r == relation || !c_.states_order(r)) continue;
         const bool same_side = on_subjects_sheet ? c_.subject[r] == fixed : c_.object[r] == fixed;
         const bool other_sheet_only = on_subjects_sheet ? c_.stated[r].only_object() : c_.stated[r].only_subject();
-        if (!same_side || !other_sheet_only || c_.record.relations[r].kind != c_.record.relations[relation].kind) continue;
+        if (!same_side || !other_sheet_only || c_.record.relations[r].kind != c_.record.relations[relation].kind)
+            continue;
         const UnitIndex meant = on_subjects_sheet ? c_.object[r] : c_.subject[r];
         const std::string& a = c_.unit(written).number;
         const std::string& b = c_.unit(meant).number;

@@ -17,9 +17,9 @@ void add_self_relations(const CheckContext& c, Findings& findings) {
     for (RelationIndex r = 0; r < c.subject.size(); ++r) {
         if (!c.states_order(r) || c.subject[r] != c.object[r]) continue;
         const UnitIndex u = c.subject[r];
-        auto d = make_diagnostic(Severity::Error, "self-relation",
-                                 fmt::format("{}: a unit cannot lie above itself; probably another number was meant",
-                                             c.sentence(r)));
+        auto d = make_diagnostic(
+            Severity::Error, "self-relation",
+            fmt::format("{}: a unit cannot lie above itself; probably another number was meant", c.sentence(r)));
         d.units = {c.record.units[u].id};
         d.relations = {c.named(r)};
         findings.push_back(std::move(d));
@@ -55,9 +55,9 @@ void add_contradicting_pairs(const CheckContext& c, const std::vector<PairRelati
         if (i > 0 && pairs[i - 1].later == later && pairs[i - 1].earlier == earlier) continue;
         const auto reverse = std::lower_bound(pairs.begin(), pairs.end(), std::pair(earlier, later), before);
         if (reverse == pairs.end() || reverse->later != earlier || reverse->earlier != later) continue;
-        auto d = make_diagnostic(Severity::Error, "contradicting-pair",
-                                 fmt::format("{}, and {}: one of the two is wrong", c.sentence(relation),
-                                             c.sentence(reverse->relation)));
+        auto d = make_diagnostic(
+            Severity::Error, "contradicting-pair",
+            fmt::format("{}, and {}: one of the two is wrong", c.sentence(relation), c.sentence(reverse->relation)));
         d.units = {c.unit(later).id, c.unit(earlier).id};
         for (auto p = pairs.begin() + static_cast<std::ptrdiff_t>(i);
              p != pairs.end() && p->later == later && p->earlier == earlier; ++p) {
@@ -82,9 +82,9 @@ void add_contemporary_ordered(const CheckContext& c, Findings& findings) {
         if (!c.matrix.is_later(later, earlier)) continue;
         const auto path = c.matrix.shortest_path(later, earlier);
         const bool bonds = c.record.relations[r].kind == model::RelationKind::BondsWith;
-        auto d = make_diagnostic(bonds ? Severity::Error : Severity::Warning, "contemporary-ordered",
-                                 fmt::format("{}, yet {} puts one after the other", c.sentence(r),
-                                             path_text(c, path, 8)));
+        auto d =
+            make_diagnostic(bonds ? Severity::Error : Severity::Warning, "contemporary-ordered",
+                            fmt::format("{}, yet {} puts one after the other", c.sentence(r), path_text(c, path, 8)));
         d.units = {c.unit(c.subject[r]).id, c.unit(c.object[r]).id};
         d.relations = {c.named(r)};
         for (auto& relation : path_relations(c, path)) d.relations.push_back(relation);
@@ -103,7 +103,8 @@ void add_pairs_of_two_kinds(const CheckContext& c, const std::vector<PairRelatio
     for (std::size_t i = 0; i < pairs.size();) {
         std::size_t end = i;
         std::vector<RelationIndex> contacts;
-        for (; end < pairs.size() && pairs[end].later == pairs[i].later && pairs[end].earlier == pairs[i].earlier; ++end) {
+        for (; end < pairs.size() && pairs[end].later == pairs[i].later && pairs[end].earlier == pairs[i].earlier;
+             ++end) {
             const model::RelationKind kind = c.record.relations[pairs[end].relation].kind;
             const auto same_kind = [&](RelationIndex r) { return c.record.relations[r].kind == kind; };
             if (is_contact(kind) && std::none_of(contacts.begin(), contacts.end(), same_kind)) {
@@ -141,9 +142,9 @@ void add_repeated_statements(const CheckContext& c, Findings& findings) {
             std::sort(where.begin(), where.end());
             where.erase(std::unique(where.begin(), where.end()), where.end());
             if (key.second == model::StatementSide::Neither || where.size() < 2) continue;
-            auto d = make_diagnostic(Severity::Warning, "duplicate-relation",
-                                     fmt::format("{} is written twice on one sheet (lines {} and {})",
-                                                 c.sentence(r), where[0], where[1]));
+            auto d = make_diagnostic(
+                Severity::Warning, "duplicate-relation",
+                fmt::format("{} is written twice on one sheet (lines {} and {})", c.sentence(r), where[0], where[1]));
             d.units = {c.unit(c.subject[r]).id, c.unit(c.object[r]).id};
             d.relations = {c.named(r)};
             d.evidence["times"] = static_cast<std::int64_t>(where.size());
@@ -177,18 +178,20 @@ void check_redundancy(const CheckContext& context, Findings& findings) {
     if (!many) {
         for (const std::uint32_t i : redundant) {
             const RelationIndex r = matrix.because(i).front();
-            auto d = make_diagnostic(Severity::Info, "redundant-relation",
-                                     fmt::format("{} follows from other relations; it is kept as evidence and left out of the drawing",
-                                                 context.sentence(r)));
+            auto d = make_diagnostic(
+                Severity::Info, "redundant-relation",
+                fmt::format("{} follows from other relations; it is kept as evidence and left out of the drawing",
+                            context.sentence(r)));
             d.units = {context.unit(context.subject[r]).id, context.unit(context.object[r]).id};
             d.relations = {context.named(r)};
             findings.push_back(std::move(d));
         }
         return;
     }
-    auto d = make_diagnostic(Severity::Info, "redundant-relation",
-                             fmt::format("{} relations follow from others; they are kept as evidence and left out of the drawing",
-                                         redundant.size()));
+    auto d = make_diagnostic(
+        Severity::Info, "redundant-relation",
+        fmt::format("{} relations follow from others; they are kept as evidence and left out of the drawing",
+                    redundant.size()));
     d.evidence["count"] = static_cast<std::int64_t>(redundant.size());
     findings.push_back(std::move(d));
 }

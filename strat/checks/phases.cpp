@@ -37,10 +37,12 @@ struct PhaseComparer::Span {
         if (phase != nullptr && (phase->from || phase->to)) return phase->from;
         return period != nullptr ? period->from : std::nullopt;
     }
+
     [[nodiscard]] std::optional<Year> to() const {
         if (phase != nullptr && (phase->from || phase->to)) return phase->to;
         return period != nullptr ? period->to : std::nullopt;
     }
+
     [[nodiscard]] std::string name() const {
         std::string text;
         if (phase != nullptr) text = "phase " + phase->number;
@@ -50,7 +52,7 @@ struct PhaseComparer::Span {
 };
 
 // Whether `second` begins when `first` is over; ranges may share the year between them.
-template <class Span>
+template<class Span>
 bool follows(const Span& first, const Span& second) {
     if (!first.to() || !second.from() || *first.to() > *second.from()) return false;
     if (*first.to() < *second.from()) return true;
@@ -69,7 +71,8 @@ PhaseComparer::Span PhaseComparer::span_of(UnitIndex u) const {
     Span span;
     const model::StratigraphicUnit& unit = record_->units[u];
     if (const auto it = phases_.find(unit.phase); it != phases_.end()) span.phase = &record_->phases[it->second];
-    const model::PeriodId period = span.phase != nullptr && !span.phase->period.is_nil() ? span.phase->period : unit.period;
+    const model::PeriodId period =
+        span.phase != nullptr && !span.phase->period.is_nil() ? span.phase->period : unit.period;
     if (const auto it = periods_.find(period); it != periods_.end()) span.period = &record_->periods[it->second];
     return span;
 }
@@ -159,6 +162,7 @@ class PhaseCheck {
         UnitIndex origin = model::kNoUnit;
         std::uint32_t order = 0;
     };
+
     static constexpr std::size_t kRemembered = 4;
     std::vector<std::vector<Below>> below_;
 
@@ -221,8 +225,6 @@ class PhaseCheck {
 
 } // namespace
 
-void check_phases(const CheckContext& context, Findings& findings) {
-    PhaseCheck(context, findings).run();
-}
+void check_phases(const CheckContext& context, Findings& findings) { PhaseCheck(context, findings).run(); }
 
 } // namespace planum::strat

@@ -15,8 +15,8 @@ namespace {
 using model::RelationKind;
 using model::UnitKind;
 
-// About one relation in a hundred and fifty is wrong in a record like Al-Khutm, fewer in most; this is what makes few doubts dearer than
-// many cheap ones.
+// About one relation in a hundred and fifty is wrong in a record like Al-Khutm, fewer in most; this is what makes few
+// doubts dearer than many cheap ones.
 constexpr double kPrior = 5.0;
 // No single observation decides: at most e³ = 20 to one.
 constexpr double kMost = 3.0;
@@ -28,13 +28,9 @@ constexpr int kUndecided = 1;
 constexpr int kContrary = 2;
 constexpr int kUnknown = -1;
 
-double capped(double log_ratio) {
-    return std::clamp(log_ratio, -kMost, kMost);
-}
+double capped(double log_ratio) { return std::clamp(log_ratio, -kMost, kMost); }
 
-std::uint64_t pair_key(UnitIndex a, UnitIndex b) {
-    return (static_cast<std::uint64_t>(a) << 32U) | b;
-}
+std::uint64_t pair_key(UnitIndex a, UnitIndex b) { return (static_cast<std::uint64_t>(a) << 32U) | b; }
 
 std::optional<double> number_value(std::string_view number) {
     const std::size_t first = number.find_first_of("0123456789");
@@ -167,7 +163,8 @@ void RelationWeights::count_distances(const std::vector<RelationIndex>& right) {
             while (bin < d.bounds.size() && x > d.bounds[bin]) ++bin;
             hits[bin] += 1.0;
         }
-        for (std::size_t b = 0; b < hits.size(); ++b) d.chance[b] = hits[b] / (static_cast<double>(of_chance.size()) + 4.0);
+        for (std::size_t b = 0; b < hits.size(); ++b)
+            d.chance[b] = hits[b] / (static_cast<double>(of_chance.size()) + 4.0);
         d.usable = true;
     };
     if (units < 2) return;
@@ -284,9 +281,9 @@ void RelationWeights::gather_fixed(RelationIndex relation, Gathered& g) const {
     const model::PhysicalRelation& stated = c_.record.relations[relation];
     const bool deposits = is_deposit(c_.unit(u)) && is_deposit(c_.unit(v));
     const double kind = kind_log_ratio(stated.kind, deposits);
-    g.add(kind, kind > 0.0      ? "a cut or fill is hard to see the wrong way round"
-                : deposits      ? "which of two deposits leans on the other is easily mistaken"
-                                : "leaning and age alone are weaker observations than covering");
+    g.add(kind, kind > 0.0 ? "a cut or fill is hard to see the wrong way round"
+                : deposits ? "which of two deposits leans on the other is easily mistaken"
+                           : "leaning and age alone are weaker observations than covering");
     if (stated.certainty == model::Certainty::Uncertain) g.add(-1.5, "it is marked as uncertain");
     if (kinds_mismatch(c_, relation, model::Strictness::Strict)) {
         g.add(-2.5, "the kinds of the two units do not fit it");
@@ -297,17 +294,22 @@ void RelationWeights::gather_fixed(RelationIndex relation, Gathered& g) const {
     } else if (levels.verdict == LevelVerdict::Confirmed) {
         g.add(levels.near ? 1.5 : 1.0, "the levels of the two units confirm it");
     }
-    if (dates_[u].to && dates_[v].from && *dates_[u].to < *dates_[v].from) g.add(-2.0, "the dates of the two units exclude it");
-    if (dates_[v].to && dates_[u].from && *dates_[v].to <= *dates_[u].from) g.add(1.0, "the dates of the two units agree with it");
+    if (dates_[u].to && dates_[v].from && *dates_[u].to < *dates_[v].from)
+        g.add(-2.0, "the dates of the two units exclude it");
+    if (dates_[v].to && dates_[u].from && *dates_[v].to <= *dates_[u].from)
+        g.add(1.0, "the dates of the two units agree with it");
     if (phases_.has_any()) {
         const PhaseOrder order = phases_.compare(u, v).order;
         if (order == PhaseOrder::Earlier) g.add(-2.0, "the phases of the two units exclude it");
         if (order == PhaseOrder::Later) g.add(1.0, "the phases of the two units agree with it");
     }
     if (const auto it = surfaces_.find(pair_key(u, v)); it != surfaces_.end()) {
-        g.add(it->second, it->second > 0.0 ? "the recorded surfaces show it" : "the recorded surfaces show the opposite");
+        g.add(it->second,
+              it->second > 0.0 ? "the recorded surfaces show it" : "the recorded surfaces show the opposite");
     }
-    if (const auto slip = reciprocal_slip(relation)) g.add(slip->fit > 2.0 ? -2.5 : -1.2, "another sheet, one slip of the pen away, states what this one seems to mean");
+    if (const auto slip = reciprocal_slip(relation))
+        g.add(slip->fit > 2.0 ? -2.5 : -1.2,
+              "another sheet, one slip of the pen away, states what this one seems to mean");
 }
 
 RelationWeights::Gathered RelationWeights::gather(RelationIndex relation) const {
@@ -330,8 +332,9 @@ RelationWeight RelationWeights::explain(RelationIndex relation) const {
     Gathered g = gather(relation);
     RelationWeight weight;
     weight.log_odds = kPrior;
-    std::stable_sort(g.items.begin(), g.items.begin() + static_cast<std::ptrdiff_t>(g.count),
-                     [](const Evidence& a, const Evidence& b) { return std::abs(a.log_ratio) > std::abs(b.log_ratio); });
+    std::stable_sort(
+        g.items.begin(), g.items.begin() + static_cast<std::ptrdiff_t>(g.count),
+        [](const Evidence& a, const Evidence& b) { return std::abs(a.log_ratio) > std::abs(b.log_ratio); });
     for (std::size_t i = 0; i < g.count; ++i) {
         weight.log_odds += g.items[i].log_ratio;
         // What changes the odds by less than a tenth is not worth a sentence.
@@ -355,7 +358,8 @@ RelationWeight RelationWeights::weigh_same_as(RelationIndex relation) const {
     const UnitIndex u = c_.subject[relation];
     const UnitIndex v = c_.object[relation];
     if (c_.unit(u).area != c_.unit(v).area) add(-0.7, "the two units lie in different areas");
-    if (c_.unit(u).kind != c_.unit(v).kind && c_.unit(u).kind != UnitKind::Unknown && c_.unit(v).kind != UnitKind::Unknown) {
+    if (c_.unit(u).kind != c_.unit(v).kind && c_.unit(u).kind != UnitKind::Unknown &&
+        c_.unit(v).kind != UnitKind::Unknown) {
         add(-1.5, "the two units are of different kinds");
     }
     const bool no_overlap = (dates_[u].to && dates_[v].from && *dates_[u].to < *dates_[v].from) ||

@@ -41,6 +41,7 @@ class RelationWeights {
         double fit = 0.0;        ///< how well `meant` would fit, to choose among several
         std::string why;
     };
+
     [[nodiscard]] std::optional<Slip> reciprocal_slip(RelationIndex relation) const;
     /// The best unit one slip away, reciprocal or not, that would not stand in the same cycle group.
     [[nodiscard]] std::optional<Slip> best_slip(RelationIndex relation) const;
@@ -53,10 +54,13 @@ class RelationWeights {
         double log_ratio; ///< positive speaks for the relation
         std::string_view what;
     };
+
     using EvidenceList = std::array<Evidence, 16>;
+
     struct Gathered {
         EvidenceList items{};
         std::size_t count = 0;
+
         void add(double log_ratio, std::string_view what) {
             if (log_ratio != 0.0 && count < items.size()) items[count++] = {log_ratio, what};
         }
@@ -67,6 +71,7 @@ class RelationWeights {
         std::array<double, 3> count{};
         [[nodiscard]] double log_ratio(int outcome) const;
     };
+
     /// Of a distance: bounds of its bins and how right and chance pairs fall into them.
     struct Distance {
         std::array<double, 3> bounds{};
@@ -96,13 +101,15 @@ class RelationWeights {
     const CheckContext& c_;
     std::vector<DateBounds> dates_;
     PhaseComparer phases_;
-    std::vector<std::optional<double>> numbers_;                ///< the number as a value, where it is one
-    std::vector<std::optional<std::array<double, 2>>> places_;  ///< mean of the levels in plan [m]
+    std::vector<std::optional<double>> numbers_;               ///< the number as a value, where it is one
+    std::vector<std::optional<std::array<double, 2>>> places_; ///< mean of the levels in plan [m]
     std::unordered_map<model::SourceId, std::uint32_t> sources_;
+
     struct Sides {
         double both = 0.0;
         double one = 0.0;
     };
+
     std::vector<Sides> sides_; ///< by source; the last is "typed in"
     static constexpr std::size_t kKinds = 9;
     std::array<Direction, kKinds> digging_{};

@@ -22,16 +22,19 @@ struct Reciprocity {
 void count_relation(const CheckContext& c, RelationIndex r,
                     std::unordered_map<model::SourceId, Reciprocity>& by_source) {
     const auto& statements = c.record.statements;
+
     struct Sides {
         model::SourceId source;
         bool subject = false;
         bool object = false;
     };
+
     std::vector<Sides> sides;
     for (std::uint32_t s = c.statement_begin[r]; s < c.statement_begin[r + 1]; ++s) {
         if (statements[s].relation != c.record.relations[r].id) continue;
         if (statements[s].side == model::StatementSide::Neither || statements[s].source.is_nil()) continue;
-        auto it = std::find_if(sides.begin(), sides.end(), [&](const Sides& x) { return x.source == statements[s].source; });
+        auto it =
+            std::find_if(sides.begin(), sides.end(), [&](const Sides& x) { return x.source == statements[s].source; });
         if (it == sides.end()) it = sides.insert(sides.end(), Sides{statements[s].source});
         (statements[s].side == model::StatementSide::Subject ? it->subject : it->object) = true;
     }
@@ -62,10 +65,10 @@ void add_missing_reciprocals(const CheckContext& c, Findings& findings) {
         for (std::size_t i = 0; i < std::min<std::size_t>(count.one_sided.size(), 3); ++i) {
             examples.push_back(c.sentence(count.one_sided[i]));
         }
-        auto d = make_diagnostic(Severity::Warning, "missing-reciprocal",
-                                 fmt::format("{}: {} of {} relations stand on one of the two sheets only, among them: {}",
-                                             source.name, count.one_sided.size(), count.relations,
-                                             list_names(examples, 3)));
+        auto d =
+            make_diagnostic(Severity::Warning, "missing-reciprocal",
+                            fmt::format("{}: {} of {} relations stand on one of the two sheets only, among them: {}",
+                                        source.name, count.one_sided.size(), count.relations, list_names(examples, 3)));
         d.evidence["source"] = source.name;
         d.evidence["count"] = static_cast<std::int64_t>(count.one_sided.size());
         d.evidence["of"] = count.relations;
@@ -90,8 +93,8 @@ void add_dangling(const CheckContext& c, Findings& findings) {
             where.push_back(c.sentence(r));
             d.relations.push_back(c.named(r));
         }
-        d.message = fmt::format("{} is named in a relation ({}) but has no sheet of its own", c.name(u),
-                                list_names(where, 2));
+        d.message =
+            fmt::format("{} is named in a relation ({}) but has no sheet of its own", c.name(u), list_names(where, 2));
         d.units = {units[u].id};
         findings.push_back(std::move(d));
     }

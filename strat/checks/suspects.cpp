@@ -149,7 +149,8 @@ class SuspectFinder {
             nodes.push_back(group_.arcs[arc].to);
         }
         // A node on all cycles lies on each of them, so it is enough to look along one.
-        for (const std::uint32_t arc : shortest_cycle_through(group_, best_.arcs.front())) nodes.push_back(group_.arcs[arc].from);
+        for (const std::uint32_t arc : shortest_cycle_through(group_, best_.arcs.front()))
+            nodes.push_back(group_.arcs[arc].from);
         std::sort(nodes.begin(), nodes.end());
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
         constexpr std::size_t kLookedAt = 40;
@@ -175,7 +176,8 @@ class SuspectFinder {
         std::sort(candidates_.begin(), candidates_.end(),
                   [&](const Candidate& a, const Candidate& b) { return key(a) < key(b); });
         std::size_t others = 0;
-        std::erase_if(candidates_, [&](const Candidate& a) { return !a.chosen && ++others > c_.options.suspects_shown; });
+        std::erase_if(candidates_,
+                      [&](const Candidate& a) { return !a.chosen && ++others > c_.options.suspects_shown; });
     }
 
     [[nodiscard]] GroupVerdict verdict() {
@@ -197,8 +199,8 @@ class SuspectFinder {
     }
 
     [[nodiscard]] std::size_t chosen_relations() const {
-        return static_cast<std::size_t>(std::count_if(candidates_.begin(), candidates_.end(),
-                                                      [](const Candidate& a) { return a.chosen; }));
+        return static_cast<std::size_t>(
+            std::count_if(candidates_.begin(), candidates_.end(), [](const Candidate& a) { return a.chosen; }));
     }
 
     [[nodiscard]] Suspect suspect(const Candidate& a, double score) const {
@@ -210,15 +212,16 @@ class SuspectFinder {
     [[nodiscard]] Suspect unit_suspect(const Candidate& a, double score) const {
         return {model::SuspectUnit{c_.unit(a.unit).id},
                 score,
-                {fmt::format("every circle passes through {}, and no single relation breaks them all: probably two units under one number, to be split",
+                {fmt::format("every circle passes through {}, and no single relation breaks them all: probably two "
+                             "units under one number, to be split",
                              c_.name(a.unit))}};
     }
 
     [[nodiscard]] Suspect same_as_suspect(const Candidate& a, double score) const {
         Suspect s{model::SuspectSameAs{c_.named(a.relation)}, score, {}};
         if (a.cost - a.own < 1e-9) {
-            s.reasons.push_back(fmt::format("no circle is left when {} and {} are two units", c_.name(c_.subject[a.relation]),
-                                            c_.name(c_.object[a.relation])));
+            s.reasons.push_back(fmt::format("no circle is left when {} and {} are two units",
+                                            c_.name(c_.subject[a.relation]), c_.name(c_.object[a.relation])));
         } else {
             s.reasons.emplace_back("without it some circles are gone, but not all");
         }
@@ -231,7 +234,8 @@ class SuspectFinder {
         if (a.chosen && best_.arcs.size() == 1) {
             s.reasons.emplace_back("without it no circle is left");
         } else if (a.chosen) {
-            s.reasons.push_back(fmt::format("it is one of {} relations without which no circle is left", best_.arcs.size()));
+            s.reasons.push_back(
+                fmt::format("it is one of {} relations without which no circle is left", best_.arcs.size()));
         } else if (a.cost < best_.weight + kAlike) {
             s.reasons.emplace_back("doubting it instead would do as well");
         } else {

@@ -37,8 +37,7 @@ struct TaggedRow {
 // The last field is the tag; commas between belong to the value, as real files do not quote them.
 std::optional<TaggedRow> tagged(const TableRow& row) {
     if (row.cells.size() < 3) return std::nullopt;
-    TaggedRow result{
-        std::string{cell(row, 0)}, {}, text::fold_case(cell(row, row.cells.size() - 1)), row.line};
+    TaggedRow result{std::string{cell(row, 0)}, {}, text::fold_case(cell(row, row.cells.size() - 1)), row.line};
     for (std::size_t i = 1; i + 1 < row.cells.size(); ++i) {
         if (i > 1) result.value += ", ";
         result.value += cell(row, i);
@@ -46,9 +45,7 @@ std::optional<TaggedRow> tagged(const TableRow& row) {
     return result;
 }
 
-bool is_known_tag(std::string_view tag) {
-    return std::find(kTags.begin(), kTags.end(), tag) != kTags.end();
-}
+bool is_known_tag(std::string_view tag) { return std::find(kTags.begin(), kTags.end(), tag) != kTags.end(); }
 
 bool is_tagged(const DelimitedTable& table) {
     const auto known = std::count_if(table.rows.begin(), table.rows.end(), [](const TableRow& row) {
@@ -114,8 +111,7 @@ class TaggedReader {
         for (const TaggedRow& row : rows) {
             if (const auto level = level_of(row.tag)) groups_[row.value].insert(*level);
         }
-        for (const TaggedRow& row : rows)
-            read_row(row);
+        for (const TaggedRow& row : rows) read_row(row);
     }
 
   private:
@@ -147,8 +143,7 @@ class TaggedReader {
         if (const auto level = level_of(row.tag)) return read_group(row, *level, place);
         const UnitName name = builder_.name(row.unit);
         if (row.tag == "above" || row.tag == "below") {
-            builder_.relate(name, {RelationKind::Covers, row.tag == "below"}, builder_.name(row.value),
-                            place);
+            builder_.relate(name, {RelationKind::Covers, row.tag == "below"}, builder_.name(row.value), place);
         } else if (row.tag == "same") {
             builder_.relate(name, {RelationKind::SameAs, false}, builder_.name(row.value), place);
         } else if (row.tag == "contemporary") {
@@ -165,8 +160,7 @@ class TaggedReader {
         }
         ImportedUnit& unit = builder_.unit(name, place);
         if (row.tag == "label") builder_.fill(unit.values.title, row.value, "the label", place);
-        if (row.tag == "description")
-            builder_.fill(unit.values.description, row.value, "the description", place);
+        if (row.tag == "description") builder_.fill(unit.values.description, row.value, "the description", place);
         if (row.tag == "status") read_status(row.value, unit, place);
         if ((row.tag == "class" || row.tag == "type") && text::fold_case(row.value) != "undefined") {
             const auto kind = model::kind_from_any_word(row.value);
@@ -202,8 +196,7 @@ class TaggedReader {
                 if (!below->second.contains(inner)) continue;
                 const std::string inner_number = group_number(row.unit, inner);
                 builder_.group(inner_number).values.type = kLevels.at(inner);
-                builder_.fill(builder_.group(inner_number).parent, number, "the group around " + row.unit,
-                              place);
+                builder_.fill(builder_.group(inner_number).parent, number, "the group around " + row.unit, place);
                 return;
             }
         }
@@ -230,8 +223,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -245,8 +237,7 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
             read_simple(table, file->name, builder);
         } else {
             throw Error(ErrorCode::BadInput,
-                        fmt::format("{}: neither two columns (above, below) nor three (unit, value, tag)",
-                                    file->name));
+                        fmt::format("{}: neither two columns (above, below) nor three (unit, value, tag)", file->name));
         }
     }
     return builder.finish();

@@ -23,15 +23,14 @@ struct EraWord {
 
 // Folded; longer words stand before those they begin with.
 constexpr std::array kEras = {
-    EraWord{"bce", Era::Before},        EraWord{"bc", Era::Before},         EraWord{"b.c.", Era::Before},
-    EraWord{"a.c.", Era::Before},       EraWord{"a.c", Era::Before},        EraWord{"v. chr.", Era::Before},
-    EraWord{"v.chr.", Era::Before},     EraWord{"av. j.-c.", Era::Before},  EraWord{"ce", Era::Common},
-    EraWord{"a.d.", Era::Common},       EraWord{"ad", Era::Common},         EraWord{"d.c.", Era::Common},
-    EraWord{"d.c", Era::Common},        EraWord{"n. chr.", Era::Common},    EraWord{"n.chr.", Era::Common},
+    EraWord{"bce", Era::Before},       EraWord{"bc", Era::Before},        EraWord{"b.c.", Era::Before},
+    EraWord{"a.c.", Era::Before},      EraWord{"a.c", Era::Before},       EraWord{"v. chr.", Era::Before},
+    EraWord{"v.chr.", Era::Before},    EraWord{"av. j.-c.", Era::Before}, EraWord{"ce", Era::Common},
+    EraWord{"a.d.", Era::Common},      EraWord{"ad", Era::Common},        EraWord{"d.c.", Era::Common},
+    EraWord{"d.c", Era::Common},       EraWord{"n. chr.", Era::Common},   EraWord{"n.chr.", Era::Common},
     EraWord{"ap. j.-c.", Era::Common},
 };
-constexpr std::array<std::string_view, 7> kNow = {"present", "today",       "now",   "oggi",
-                                                  "heute",   "aujourd'hui", "attuale"};
+constexpr std::array<std::string_view, 7> kNow = {"present", "today", "now", "oggi", "heute", "aujourd'hui", "attuale"};
 constexpr std::array<std::string_view, 6> kCenturies = {"century", "secolo", "sec.", "jahrhundert", "jh.", "siècle"};
 
 struct Point {
@@ -71,7 +70,9 @@ class SpanReader {
         return true;
     }
 
-    bool separator() noexcept { return take(":") || take("–") || take("—") || take("-") || take("to ") || take("bis "); }
+    bool separator() noexcept {
+        return take(":") || take("–") || take("—") || take("-") || take("to ") || take("bis ");
+    }
 
     std::optional<Point> point() {
         skip_blanks();
@@ -160,8 +161,8 @@ std::optional<YearSpan> century(std::string_view folded) {
     if (blank == std::string_view::npos) return std::nullopt;
     const auto number = ordinal(folded.substr(0, blank));
     std::string_view rest = text::trim(folded.substr(blank));
-    const auto* const word = std::find_if(kCenturies.begin(), kCenturies.end(),
-                                          [&](std::string_view c) { return rest.starts_with(c); });
+    const auto* const word =
+        std::find_if(kCenturies.begin(), kCenturies.end(), [&](std::string_view c) { return rest.starts_with(c); });
     if (!number || word == kCenturies.end()) return std::nullopt;
     rest = text::trim(rest.substr(word->size()));
     Era era = rest.empty() ? Era::Common : Era::None;

@@ -67,13 +67,11 @@ bool looks_like_utf8(std::string_view bytes) {
     if (text::is_valid_utf8(bytes)) return true;
     const auto is_tail = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
     std::size_t cut = bytes.size();
-    while (cut > 0 && bytes.size() - cut < 3 && is_tail(bytes[cut - 1]))
-        --cut;
+    while (cut > 0 && bytes.size() - cut < 3 && is_tail(bytes[cut - 1])) --cut;
     if (cut == 0 || static_cast<unsigned char>(bytes[cut - 1]) < 0xC2U) return false;
     // Something before the cut must prove the encoding: one lone Latin-1 letter at the end does not.
     const std::string_view before = bytes.substr(0, cut - 1);
-    const bool has_letters =
-        std::any_of(before.begin(), before.end(), [](char c) { return (c & 0x80) != 0; });
+    const bool has_letters = std::any_of(before.begin(), before.end(), [](char c) { return (c & 0x80) != 0; });
     return has_letters && text::is_valid_utf8(before);
 }
 
@@ -104,12 +102,12 @@ DecodedText decode_text(std::string_view bytes, std::string_view file_name, std:
     text::Cleaned cleaned = text::clean_utf8(raw);
     result.text = std::move(cleaned.text);
     if (cleaned.replaced > 0) {
-        result.notes.push_back({std::string{file_name},
-                                line_of_first_replacement(result.text),
-                                "replaced-characters",
-                                {},
-                                fmt::format("{} characters are no text in {} and were replaced",
-                                            cleaned.replaced, result.encoding)});
+        result.notes.push_back(
+            {std::string{file_name},
+             line_of_first_replacement(result.text),
+             "replaced-characters",
+             {},
+             fmt::format("{} characters are no text in {} and were replaced", cleaned.replaced, result.encoding)});
     }
     return result;
 }

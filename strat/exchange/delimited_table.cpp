@@ -22,10 +22,8 @@ constexpr std::array kDelimiters = {',', ';', '\t', '|'};
 
 std::string_view trim_blanks(std::string_view s) {
     const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-    while (!s.empty() && blank(s.front()))
-        s.remove_prefix(1);
-    while (!s.empty() && blank(s.back()))
-        s.remove_suffix(1);
+    while (!s.empty() && blank(s.front())) s.remove_prefix(1);
+    while (!s.empty() && blank(s.back())) s.remove_suffix(1);
     return s;
 }
 
@@ -63,8 +61,7 @@ class TableParser {
             } else if (!said) {
                 said = true;
                 note(table, row.line, "too-long",
-                     fmt::format("the row has more than {} cells; the rest of it was not read",
-                                 kMaxCellsInRow));
+                     fmt::format("the row has more than {} cells; the rest of it was not read", kMaxCellsInRow));
             }
             if (at_ >= text_.size()) return row;
             const char end = text_[at_++];
@@ -85,8 +82,7 @@ class TableParser {
 
     bool quote_opens() {
         std::size_t at = at_;
-        while (at < text_.size() && (text_[at] == ' ' || text_[at] == '\t') && text_[at] != delimiter_)
-            ++at;
+        while (at < text_.size() && (text_[at] == ' ' || text_[at] == '\t') && text_[at] != delimiter_) ++at;
         if (at >= text_.size() || text_[at] != '"') return false;
         quote_at_ = at;
         return true;
@@ -94,8 +90,7 @@ class TableParser {
 
     std::string read_plain() {
         const std::size_t from = at_;
-        while (!at_end_of_cell(at_))
-            ++at_;
+        while (!at_end_of_cell(at_)) ++at_;
         return std::string{trim_blanks(text_.substr(from, at_ - from))};
     }
 
@@ -107,8 +102,7 @@ class TableParser {
             const bool gone = at >= text_.size() || at - quote_at_ > kMaxQuotedCell;
             if (gone || (text_[at] == '\n' && !quotes_span_lines_)) {
                 if (gone) quotes_span_lines_ = false; // else every further quote would search the whole file
-                note(table, line_, "open-quote",
-                     "a quotation mark is opened and never closed; taken as a character");
+                note(table, line_, "open-quote", "a quotation mark is opened and never closed; taken as a character");
                 value.clear();
                 return false;
             }
@@ -122,11 +116,10 @@ class TableParser {
         at_ = at + 1;
         line_ += lines;
         const std::size_t rest = at_;
-        while (!at_end_of_cell(at_))
-            ++at_;
+        while (!at_end_of_cell(at_)) ++at_;
         // `"12" floor`: what stands behind the closing quote belongs to the cell.
-        value += trim_blanks(text_.substr(rest, at_ - rest)).empty() ? std::string_view{}
-                                                                     : text_.substr(rest, at_ - rest);
+        value +=
+            trim_blanks(text_.substr(rest, at_ - rest)).empty() ? std::string_view{} : text_.substr(rest, at_ - rest);
         return true;
     }
 
@@ -162,8 +155,7 @@ std::vector<std::array<std::size_t, kDelimiters.size()>> delimiter_counts(std::s
         }
         anything = true;
         if (in_quotes) continue;
-        for (std::size_t d = 0; d < kDelimiters.size(); ++d)
-            counts.at(d) += c == kDelimiters.at(d) ? 1U : 0U;
+        for (std::size_t d = 0; d < kDelimiters.size(); ++d) counts.at(d) += c == kDelimiters.at(d) ? 1U : 0U;
     }
     if (anything) lines.push_back(counts);
     return lines;
@@ -181,8 +173,7 @@ char find_delimiter(std::string_view text) {
             if (line.at(d) > 0) ++seen[line.at(d)];
         }
         std::pair<std::size_t, std::size_t> score{0, 0};
-        for (const auto& [count, times] : seen)
-            score = std::max(score, std::pair{times * 2, count});
+        for (const auto& [count, times] : seen) score = std::max(score, std::pair{times * 2, count});
         if (lines.front().at(d) == 0) score.first /= 2;
         if (score > best_score) {
             best_score = score;
@@ -216,8 +207,7 @@ DelimitedTable parse_table(std::string_view bytes, std::string_view file_name, c
     std::string_view body = decoded.text;
     table.delimiter = options.delimiter;
     // Excel's own first line: sep=;
-    if (body.size() >= 5 && text::fold_case(body.substr(0, 4)) == "sep=" &&
-        (body.size() == 5 || body[5] == '\n')) {
+    if (body.size() >= 5 && text::fold_case(body.substr(0, 4)) == "sep=" && (body.size() == 5 || body[5] == '\n')) {
         if (table.delimiter == '\0') table.delimiter = body[4];
         const std::string blank = "\n" + std::string{body.substr(std::min<std::size_t>(body.size(), 6))};
         TableParser(blank, table.delimiter, file_name).parse(table);
@@ -230,8 +220,7 @@ DelimitedTable parse_table(std::string_view bytes, std::string_view file_name, c
 
 TableHeader::TableHeader(const TableRow& row) {
     names_.reserve(row.cells.size());
-    for (const std::string& name : row.cells)
-        names_.push_back(header_key(name));
+    for (const std::string& name : row.cells) names_.push_back(header_key(name));
 }
 
 std::optional<std::size_t> TableHeader::find(std::string_view name) const {
@@ -260,8 +249,7 @@ std::string RowWriter::write(std::span<const std::string> cells) const {
         const std::string value = (guard ? "'" : "") + cells[i];
         const bool blank_ends = !value.empty() && text::trim(value).size() != value.size();
         const bool quote = always_quote || blank_ends || value.find('"') != std::string::npos ||
-                           value.find('\n') != std::string::npos ||
-                           value.find(delimiter) != std::string::npos;
+                           value.find('\n') != std::string::npos || value.find(delimiter) != std::string::npos;
         if (quote) {
             out += '"' + text::replace_all(value, "\"", "\"\"") + '"';
         } else {

@@ -28,8 +28,8 @@ struct DelimitedTable {
 };
 
 struct TableOptions {
-    char delimiter = '\0'; ///< 0: find it
-    std::string_view encoding;  ///< empty: find it
+    char delimiter = '\0';     ///< 0: find it
+    std::string_view encoding; ///< empty: find it
 };
 
 /// Parses leniently: never throws for content, reports what it had to mend. Cells are trimmed of blanks
@@ -56,7 +56,9 @@ class TableHeader {
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     /// The first of several names that is there.
     [[nodiscard]] std::optional<std::size_t> find_any(std::span<const std::string_view> names) const;
+
     [[nodiscard]] bool has(std::string_view name) const { return find(name).has_value(); }
+
     [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
 
   private:

@@ -28,20 +28,15 @@ std::string quoted(std::string_view text) {
 
 std::string_view attributes_of(UnitKind kind) {
     switch (kind) {
-    case UnitKind::Cut:
-        return "shape=\"invtrapezium\"";
-    case UnitKind::Interface:
-        return "shape=\"box\", style=\"rounded\"";
-    case UnitKind::Skeleton:
-        return "shape=\"ellipse\"";
-    case UnitKind::Feature:
-        return "shape=\"octagon\"";
+    case UnitKind::Cut: return "shape=\"invtrapezium\"";
+    case UnitKind::Interface: return "shape=\"box\", style=\"rounded\"";
+    case UnitKind::Skeleton: return "shape=\"ellipse\"";
+    case UnitKind::Feature: return "shape=\"octagon\"";
     case UnitKind::Unknown:
     case UnitKind::Deposit:
     case UnitKind::Structure:
     case UnitKind::Natural:
-    case UnitKind::Void:
-        return "shape=\"box\"";
+    case UnitKind::Void: return "shape=\"box\"";
     }
     return "shape=\"box\"";
 }
@@ -51,17 +46,12 @@ std::string_view style_of(RelationKind kind) {
     case RelationKind::Covers:
     case RelationKind::Cuts:
     case RelationKind::Fills:
-    case RelationKind::Abuts:
-        return "";
-    case RelationKind::Later:
-        return ", style=\"dashed\"";
-    case RelationKind::SameAs:
-        return ", dir=\"none\", constraint=\"false\", color=\"black:black\"";
+    case RelationKind::Abuts: return "";
+    case RelationKind::Later: return ", style=\"dashed\"";
+    case RelationKind::SameAs: return ", dir=\"none\", constraint=\"false\", color=\"black:black\"";
     case RelationKind::BondsWith:
-    case RelationKind::Contemporary:
-        return ", dir=\"none\", constraint=\"false\", style=\"dashed\"";
-    case RelationKind::Borders:
-        return ", dir=\"none\", constraint=\"false\", style=\"dotted\"";
+    case RelationKind::Contemporary: return ", dir=\"none\", constraint=\"false\", style=\"dashed\"";
+    case RelationKind::Borders: return ", dir=\"none\", constraint=\"false\", style=\"dotted\"";
     }
     return "";
 }
@@ -81,9 +71,8 @@ Written write_dot(const model::Record& record, const WriteOptions& /*options*/) 
     std::string out = fmt::format("digraph {} {{\n  node [shape=\"box\"];\n", quoted(record.settings.name));
     std::map<std::string, std::string, text::NaturalLess> by_phase;
     for (const model::StratigraphicUnit& unit : record.units) {
-        by_phase[names.phase(unit.phase)] +=
-            fmt::format("  {} [{}, tooltip={}];\n", quoted(names.unit(unit.id)), attributes_of(unit.kind),
-                        quoted(unit.title));
+        by_phase[names.phase(unit.phase)] += fmt::format("  {} [{}, tooltip={}];\n", quoted(names.unit(unit.id)),
+                                                         attributes_of(unit.kind), quoted(unit.title));
     }
     std::size_t cluster = 0;
     for (const auto& [phase, nodes] : by_phase) {

@@ -29,12 +29,10 @@ double number(pugi::xml_node node, const char* name) {
 }
 
 // Numbers of real files are screen positions; anything wilder is nonsense.
-double bounded(double value) {
-    return std::abs(value) < 1e9 ? value : 0.0;
-}
+double bounded(double value) { return std::abs(value) < 1e9 ? value : 0.0; }
 
 // The drawing of a node or edge: the first element below a data child that is no text.
-template <class Use>
+template<class Use>
 void for_each_graphic(pugi::xml_node element, Use&& use) {
     for (const pugi::xml_node data : element.children()) {
         if (local_name(data) != "data") continue;
@@ -96,7 +94,8 @@ void read_table(pugi::xml_node graphic, GraphmlGraph& graph) {
         }
     }
     const pugi::xml_node table = child_named(graphic, "Table");
-    double y = bounded(number(child_named(graphic, "Geometry"), "y")) + bounded(number(child_named(table, "Insets"), "top"));
+    double y =
+        bounded(number(child_named(graphic, "Geometry"), "y")) + bounded(number(child_named(table, "Insets"), "top"));
     for (const pugi::xml_node row : child_named(table, "Rows").children()) {
         if (local_name(row) != "Row") continue;
         const double height = bounded(number(row, "height"));
@@ -123,7 +122,8 @@ GraphmlNode read_node(pugi::xml_node element, const XmlInput& xml, const Keys& k
     node.line = xml.line_of(element);
     node.data = read_data(element, keys);
     const pugi::xml_node around = element.parent();
-    if (local_name(around) == "graph" && local_name(around.parent()) == "node") node.parent = attribute(around.parent(), "id");
+    if (local_name(around) == "graph" && local_name(around.parent()) == "node")
+        node.parent = attribute(around.parent(), "id");
     for_each_graphic(element, [&](pugi::xml_node graphic) {
         const pugi::xml_node drawn = realizer(graphic);
         const pugi::xml_node geometry = child_named(drawn, "Geometry");

@@ -22,8 +22,8 @@ struct GraphmlNode {
     std::string label;
     std::string background; ///< of the label, `#CCFFFF`
     GraphmlShape shape = GraphmlShape::Plain;
-    double y_centre = 0.0;                     ///< [pixels], downwards
-    std::map<std::string, std::string> data;   ///< values by attr.name in lower case
+    double y_centre = 0.0;                   ///< [pixels], downwards
+    std::map<std::string, std::string> data; ///< values by attr.name in lower case
     std::int64_t line = 0;
 };
 

@@ -29,9 +29,7 @@ std::optional<model::Year> year_behind(std::string_view label, std::string_view 
     return year_from_text(text::trim(rest.substr(0, rest.find_first_of(";]"))));
 }
 
-std::string_view before_bracket(std::string_view label) {
-    return text::trim(label.substr(0, label.find('[')));
-}
+std::string_view before_bracket(std::string_view label) { return text::trim(label.substr(0, label.find('['))); }
 
 std::string_view shape_word(GraphmlShape shape) {
     switch (shape) {
@@ -160,7 +158,8 @@ class GraphmlReader {
         }
         if (name.number.empty()) return;
         if (builder_.has_unit(name)) {
-            builder_.note(place, "repeated-unit", fmt::format("two nodes are called {}; they are taken for one", name.number));
+            builder_.note(place, "repeated-unit",
+                          fmt::format("two nodes are called {}; they are taken for one", name.number));
         }
         names_[node.id] = name;
         ImportedUnit& unit = builder_.unit(name, place);
@@ -184,7 +183,8 @@ class GraphmlReader {
         unit.phase = get("phase");
         unit.period = get("period");
         if (!extended_) return;
-        if (const std::string_view type = shape_word(node.shape); !type.empty()) add_custom_field(unit, "unit_type", type);
+        if (const std::string_view type = shape_word(node.shape); !type.empty())
+            add_custom_field(unit, "unit_type", type);
         for (const GraphmlRow& row : graph_.rows) {
             const bool inside = row.y_top <= node.y_centre && node.y_centre < row.y_bottom;
             if (inside && unit.phase.empty()) unit.phase = before_bracket(row.label);
@@ -274,8 +274,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();

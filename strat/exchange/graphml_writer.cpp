@@ -27,8 +27,8 @@ constexpr std::string_view kHead = "<?xml version=\"1.0\" encoding=\"UTF-8\" sta
                                    "  <key id=\"d1\" for=\"edge\" yfiles.type=\"edgegraphics\"/>\n";
 
 /// Data of nodes and edges beside the drawing, so that programs need not guess from shapes.
-constexpr std::array<std::string_view, 11> kNodeKeys = {
-    "uuid", "number", "area", "kind", "form", "status", "title", "description", "phase", "period", "group"};
+constexpr std::array<std::string_view, 11> kNodeKeys = {"uuid",  "number",      "area",  "kind",   "form", "status",
+                                                        "title", "description", "phase", "period", "group"};
 constexpr std::array<std::string_view, 3> kEdgeKeys = {"uuid", "relation", "certainty"};
 
 struct Shape {
@@ -38,23 +38,15 @@ struct Shape {
 
 Shape shape_of(UnitKind kind) {
     switch (kind) {
-    case UnitKind::Cut:
-        return {"trapezoid", "#FFE0B2"};
-    case UnitKind::Structure:
-        return {"rectangle", "#D7CCC8"};
-    case UnitKind::Interface:
-        return {"roundrectangle", "#E1F5FE"};
-    case UnitKind::Skeleton:
-        return {"ellipse", "#FFFFFF"};
-    case UnitKind::Feature:
-        return {"octagon", "#FFF9C4"};
-    case UnitKind::Natural:
-        return {"rectangle", "#C8E6C9"};
-    case UnitKind::Void:
-        return {"rectangle", "#EEEEEE"};
+    case UnitKind::Cut: return {"trapezoid", "#FFE0B2"};
+    case UnitKind::Structure: return {"rectangle", "#D7CCC8"};
+    case UnitKind::Interface: return {"roundrectangle", "#E1F5FE"};
+    case UnitKind::Skeleton: return {"ellipse", "#FFFFFF"};
+    case UnitKind::Feature: return {"octagon", "#FFF9C4"};
+    case UnitKind::Natural: return {"rectangle", "#C8E6C9"};
+    case UnitKind::Void: return {"rectangle", "#EEEEEE"};
     case UnitKind::Unknown:
-    case UnitKind::Deposit:
-        return {"rectangle", "#FFFFFF"};
+    case UnitKind::Deposit: return {"rectangle", "#FFFFFF"};
     }
     return {"rectangle", "#FFFFFF"};
 }
@@ -69,17 +61,12 @@ Line line_of(RelationKind kind) {
     case RelationKind::Covers:
     case RelationKind::Cuts:
     case RelationKind::Fills:
-    case RelationKind::Abuts:
-        return {"line", "standard"};
-    case RelationKind::Later:
-        return {"dashed", "standard"};
+    case RelationKind::Abuts: return {"line", "standard"};
+    case RelationKind::Later: return {"dashed", "standard"};
     case RelationKind::SameAs:
-    case RelationKind::BondsWith:
-        return {"line", "none"};
-    case RelationKind::Contemporary:
-        return {"dashed", "none"};
-    case RelationKind::Borders:
-        return {"dotted", "none"};
+    case RelationKind::BondsWith: return {"line", "none"};
+    case RelationKind::Contemporary: return {"dashed", "none"};
+    case RelationKind::Borders: return {"dotted", "none"};
     }
     return {"line", "standard"};
 }
@@ -97,16 +84,12 @@ class GraphmlDocument {
 
     std::string write() {
         out_ = kHead;
-        for (const std::string_view key : kNodeKeys)
-            write_key("node", 'n', key);
-        for (const std::string_view key : kEdgeKeys)
-            write_key("edge", 'e', key);
+        for (const std::string_view key : kNodeKeys) write_key("node", 'n', key);
+        for (const std::string_view key : kEdgeKeys) write_key("edge", 'e', key);
         out_ += "  <graph edgedefault=\"directed\" id=\"G\">\n";
         sort_into_groups();
-        for (const std::size_t unit : loose_units_)
-            write_unit(unit);
-        for (const std::size_t group : top_groups_)
-            write_group(group);
+        for (const std::size_t unit : loose_units_) write_unit(unit);
+        for (const std::size_t group : top_groups_) write_group(group);
         write_edges();
         out_ += "  </graph>\n</graphml>\n";
         return std::move(out_);
@@ -114,15 +97,14 @@ class GraphmlDocument {
 
   private:
     void write_key(std::string_view what, char prefix, std::string_view key) {
-        out_ += fmt::format("  <key id=\"{}_{}\" for=\"{}\" attr.name=\"{}\" attr.type=\"string\"/>\n",
-                            prefix, key, what, key);
+        out_ += fmt::format("  <key id=\"{}_{}\" for=\"{}\" attr.name=\"{}\" attr.type=\"string\"/>\n", prefix, key,
+                            what, key);
     }
 
     // A unit lies in its first group. Groups whose parents go round in a circle stand on top.
     void sort_into_groups() {
         std::unordered_map<model::GroupId, std::size_t> place;
-        for (std::size_t i = 0; i < record_.groups.size(); ++i)
-            place.emplace(record_.groups[i].id, i);
+        for (std::size_t i = 0; i < record_.groups.size(); ++i) place.emplace(record_.groups[i].id, i);
         inner_groups_.resize(record_.groups.size());
         members_.resize(record_.groups.size());
         for (std::size_t i = 0; i < record_.groups.size(); ++i) {
@@ -164,26 +146,22 @@ class GraphmlDocument {
                             "closed=\"false\"/></y:GroupNode></data>\n"
                             "    <graph edgedefault=\"directed\" id=\"g{}:\">\n",
                             xml_escape(group.number), index);
-        for (const std::size_t unit : members_[index])
-            write_unit(unit);
-        for (const std::size_t inner : inner_groups_[index])
-            write_group(inner);
+        for (const std::size_t unit : members_[index]) write_unit(unit);
+        for (const std::size_t inner : inner_groups_[index]) write_group(inner);
         out_ += "    </graph></node>\n";
     }
 
     void write_unit(std::size_t index) {
         const model::StratigraphicUnit& unit = record_.units[index];
         const Shape shape = shape_of(unit.kind);
-        const auto layer =
-            matrix_.rank_from_top(matrix_.component_of(matrix_.node_of(static_cast<UnitIndex>(index))));
+        const auto layer = matrix_.rank_from_top(matrix_.component_of(matrix_.node_of(static_cast<UnitIndex>(index))));
         const std::string area = names_.area(unit.area);
-        out_ += fmt::format(
-            "    <node id=\"n{}\">{}{}{}{}{}{}{}{}{}{}", index, data("n", "uuid", unit.id.to_string()),
-            data("n", "number", unit.number), data("n", "area", area),
-            data("n", "kind", model::to_word(unit.kind)), data("n", "form", model::to_word(unit.form)),
-            data("n", "status", model::to_word(unit.status)), data("n", "title", unit.title),
-            data("n", "description", unit.description), data("n", "phase", names_.phase(unit.phase)),
-            data("n", "period", names_.period(unit.period)));
+        out_ += fmt::format("    <node id=\"n{}\">{}{}{}{}{}{}{}{}{}{}", index, data("n", "uuid", unit.id.to_string()),
+                            data("n", "number", unit.number), data("n", "area", area),
+                            data("n", "kind", model::to_word(unit.kind)), data("n", "form", model::to_word(unit.form)),
+                            data("n", "status", model::to_word(unit.status)), data("n", "title", unit.title),
+                            data("n", "description", unit.description), data("n", "phase", names_.phase(unit.phase)),
+                            data("n", "period", names_.period(unit.period)));
         out_ += fmt::format(
             "<data key=\"d0\"><y:ShapeNode><y:Geometry height=\"30.0\" width=\"60.0\" x=\"{}.0\" y=\"{}.0\"/>"
             "<y:Fill color=\"{}\" transparent=\"false\"/><y:BorderStyle color=\"#000000\" type=\"line\" "
@@ -194,8 +172,7 @@ class GraphmlDocument {
 
     void write_edges() {
         std::unordered_map<model::UnitId, std::size_t> place;
-        for (std::size_t i = 0; i < record_.units.size(); ++i)
-            place.emplace(record_.units[i].id, i);
+        for (std::size_t i = 0; i < record_.units.size(); ++i) place.emplace(record_.units[i].id, i);
         std::size_t number = 0;
         for (const std::size_t i : complete_relations(names_)) {
             const model::PhysicalRelation& r = record_.relations[i];

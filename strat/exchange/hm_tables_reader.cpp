@@ -93,13 +93,11 @@ void read_contexts(const HmTable& table, RecordBuilder& builder) {
                          fmt::format("the unit type {} of {} is not known", type, name.number));
         }
         const std::string position = table.value(row, "position");
-        if (position != "other")
-            builder.fill(unit.values.details["position"], position, "the position", place);
+        if (position != "other") builder.fill(unit.values.details["position"], position, "the position", place);
         if (position.empty() || position == "other") unit.values.details.erase("position");
         unit.period = table.value(row, "period");
         unit.phase = table.value(row, "phase");
-        constexpr std::array<std::string_view, 5> kKnown = {"label", "unit_type", "position", "period",
-                                                            "phase"};
+        constexpr std::array<std::string_view, 5> kKnown = {"label", "unit_type", "position", "period", "phase"};
         const std::string others = table.others(row, kKnown);
         if (!others.empty()) unit.values.details["custom"] = text::replace_all(others, "; ", "\n");
     }
@@ -112,8 +110,8 @@ void read_pairs(const HmTable& table, RecordBuilder& builder) {
         const std::string second = table.value(row, inference ? "second" : "older");
         const std::string raw = first + "," + second;
         const RelationKind kind = inference ? RelationKind::SameAs : RelationKind::Covers;
-        StatedRelation* relation = builder.relate(builder.name(first), {kind, false}, builder.name(second),
-                                                  {table.file(), row.line, raw});
+        StatedRelation* relation =
+            builder.relate(builder.name(first), {kind, false}, builder.name(second), {table.file(), row.line, raw});
         if (relation == nullptr) continue;
         relation->side = model::StatementSide::Neither; // a list beside the sheets
         relation->correlation = inference;              // one deposit, recorded in two places
@@ -145,8 +143,7 @@ void read_chronology(const HmTable& table, RecordBuilder& builder) {
         }
     }
     if (styled) {
-        builder.note({table.file(), 0, {}}, "not-kept",
-                     "the column attribute styles a drawing and was not kept");
+        builder.note({table.file(), 0, {}}, "not-kept", "the column attribute styles a drawing and was not kept");
     }
 }
 
@@ -181,16 +178,14 @@ void read_events(const HmTable& table, RecordBuilder& builder, EventPlaces& even
         }
         const std::string association = association_of(word);
         if (association.empty() && !word.empty()) {
-            builder.note(place,
-                         text::fold_case(word) == "rejected" ? "rejected-dating" : "unknown-association",
+            builder.note(place, text::fold_case(word) == "rejected" ? "rejected-dating" : "unknown-association",
                          fmt::format("{} of {} is marked {}; left out", lab, unit.number, word));
             continue;
         }
         ImportedDating dating;
         dating.unit = unit;
         dating.values.label = lab;
-        dating.values.kind =
-            association == "disparate" ? model::DatingKind::AnteQuem : model::DatingKind::Radiocarbon;
+        dating.values.kind = association == "disparate" ? model::DatingKind::AnteQuem : model::DatingKind::Radiocarbon;
         dating.values.association = association;
         dating.values.notes = table.others(row, kKnown);
         events.emplace(table.value(row, "theta"), builder.record.datings.size());
@@ -199,8 +194,7 @@ void read_events(const HmTable& table, RecordBuilder& builder, EventPlaces& even
     if (repeated > 0) {
         builder.note(
             {table.file(), 0, {}}, "repeated",
-            fmt::format("{} events stand here again, same laboratory number and context; the first count",
-                        repeated));
+            fmt::format("{} events stand here again, same laboratory number and context; the first count", repeated));
     }
 }
 
@@ -213,14 +207,13 @@ void read_event_order(const HmTable& table, RecordBuilder& builder, const EventP
         const auto late = events.find(younger);
         const std::string raw = older + "," + younger;
         if (early == events.end() || late == events.end()) {
-            builder.note({table.file(), row.line, raw}, "empty-target",
-                         "the order names an event that is not listed");
+            builder.note({table.file(), row.line, raw}, "empty-target", "the order names an event that is not listed");
             continue;
         }
         const ImportedDating& earlier = builder.record.datings[early->second];
         std::string& notes = builder.record.datings[late->second].values.notes;
-        notes += fmt::format("{}later than {} of {}", notes.empty() ? "" : "; ", earlier.values.label,
-                             earlier.unit.number);
+        notes +=
+            fmt::format("{}later than {} of {}", notes.empty() ? "" : "; ", earlier.values.label, earlier.unit.number);
         builder.note({table.file(), row.line, raw}, "kept-as-text",
                      "an order between two datings was kept as a remark of the later one");
     }
@@ -241,8 +234,8 @@ Recognition recognise(std::span<const InputFile> files) {
         const DelimitedTable table = is_guide_file ? DelimitedTable{} : glimpse_table(files[i]);
         if (table.rows.empty()) continue;
         const auto by_header = hm_role_from_header(files[i], table);
-        if (by_header == HmRole::Contexts || by_header == HmRole::Observations ||
-            by_header == HmRole::Events || by_header == HmRole::EventOrder) {
+        if (by_header == HmRole::Contexts || by_header == HmRole::Observations || by_header == HmRole::Events ||
+            by_header == HmRole::EventOrder) {
             result.files.push_back(i);
             result.confidence = Confidence::Certain;
         } else if (configuration.files.contains(files[i].name)) {
@@ -262,8 +255,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     HmConfiguration configuration;
     for (const InputFile* file : files) {
@@ -280,13 +272,11 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
         builder.add_notes(std::move(parsed.back().notes));
         const auto assigned = assign_hm_role(*file, parsed.back(), configuration);
         if (!assigned) {
-            throw Error(
-                ErrorCode::BadInput,
-                fmt::format(
-                    "{}: no table of hm; looked for the columns label, unit-type or younger, older or "
-                    "first, second or theta, context or id, label, attribute, for an ini that names "
-                    "it, and for a telling file name",
-                    file->name));
+            throw Error(ErrorCode::BadInput,
+                        fmt::format("{}: no table of hm; looked for the columns label, unit-type or younger, older or "
+                                    "first, second or theta, context or id, label, attribute, for an ini that names "
+                                    "it, and for a telling file name",
+                                    file->name));
         }
         tables.emplace_back(parsed.back(), file->name, *assigned);
     }
@@ -298,22 +288,13 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
     std::set<std::pair<std::string, std::string>> seen;
     for (const HmTable& table : tables) {
         switch (table.role()) {
-        case HmRole::Contexts:
-            read_contexts(table, builder);
-            break;
+        case HmRole::Contexts: read_contexts(table, builder); break;
         case HmRole::Observations:
-        case HmRole::Inferences:
-            read_pairs(table, builder);
-            break;
+        case HmRole::Inferences: read_pairs(table, builder); break;
         case HmRole::Periods:
-        case HmRole::Phases:
-            read_chronology(table, builder);
-            break;
-        case HmRole::Events:
-            read_events(table, builder, events, seen);
-            break;
-        case HmRole::EventOrder:
-            break;
+        case HmRole::Phases: read_chronology(table, builder); break;
+        case HmRole::Events: read_events(table, builder, events, seen); break;
+        case HmRole::EventOrder: break;
         }
     }
     for (const HmTable& table : tables) {

@@ -25,8 +25,7 @@ const std::array<HmRoleInfo, 7>& roles() {
         HmRoleInfo{HmRole::Phases, {"phases", "phase", ""}, {"id", "label", "attribute", "url"}},
         // Before events, whose words are part of these.
         HmRoleInfo{HmRole::EventOrder, {"event-order", "date-order", "event_order"}, {"older", "younger"}},
-        HmRoleInfo{
-            HmRole::Events, {"events", "radiocarbon", "dates"}, {"theta", "context", "lab", "association"}},
+        HmRoleInfo{HmRole::Events, {"events", "radiocarbon", "dates"}, {"theta", "context", "lab", "association"}},
     };
     return table;
 }
@@ -57,8 +56,7 @@ void read_configuration(std::string_view bytes, HmConfiguration& configuration) 
         if (!role || value.empty()) continue;
         if (section == "[input files]") {
             const std::size_t slash = value.find_last_of("/\\");
-            configuration.files[std::string{value.substr(slash == std::string_view::npos ? 0 : slash + 1)}] =
-                *role;
+            configuration.files[std::string{value.substr(slash == std::string_view::npos ? 0 : slash + 1)}] = *role;
         } else if (section == "[input file headers]") {
             const std::string word = text::fold_case(value);
             const bool yes = word == "yes" || word == "true" || word == "1" || word == "on";
@@ -69,8 +67,7 @@ void read_configuration(std::string_view bytes, HmConfiguration& configuration) 
 
 bool is_configuration(const InputFile& file) {
     if (file.bytes.size() > kMaxConfiguration) return false;
-    if (text::fold_case(file.path.extension().string()) != ".ini" || !is_probably_text(file.bytes))
-        return false;
+    if (text::fold_case(file.path.extension().string()) != ".ini" || !is_probably_text(file.bytes)) return false;
     HmConfiguration configuration;
     read_configuration(file.bytes, configuration);
     return configuration.found;
@@ -114,9 +111,7 @@ const HmRoleInfo& hm_role_info(HmRole role) {
     return *std::find_if(roles().begin(), roles().end(), [&](const HmRoleInfo& r) { return r.role == role; });
 }
 
-bool is_hm_guide(const InputFile& file) {
-    return is_configuration(file) || is_package(file);
-}
+bool is_hm_guide(const InputFile& file) { return is_configuration(file) || is_package(file); }
 
 void read_hm_guide(const InputFile& file, HmConfiguration& configuration) {
     if (is_package(file)) return read_package(file, configuration);

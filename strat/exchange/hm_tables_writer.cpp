@@ -64,8 +64,7 @@ std::pair<Table, Table> relations(const RecordNames& names) {
         const model::PhysicalRelation& r = names.record().relations[i];
         const std::string subject = names.unit(r.subject);
         const std::string object = names.unit(r.object);
-        if (model::time_meaning(r.kind) == model::TimeMeaning::SubjectLater)
-            tables.first.add({subject, object, ""});
+        if (model::time_meaning(r.kind) == model::TimeMeaning::SubjectLater) tables.first.add({subject, object, ""});
         if (r.kind == RelationKind::SameAs) tables.second.add({subject, object});
     }
     return tables;
@@ -95,8 +94,7 @@ Table events(const RecordNames& names, std::vector<std::string>& lost) {
 template<class Values, class NumberOf>
 Table chronology(const Values& values, NumberOf number_of) {
     Table table({"id", "label", "attribute", "description"});
-    for (const auto& value : values)
-        table.add({number_of(value), value.title, "", value.description});
+    for (const auto& value : values) table.add({number_of(value), value.title, "", value.description});
     return table;
 }
 
@@ -123,16 +121,14 @@ Written write_hm_tables(const model::Record& record, const WriteOptions& options
     written.lost = losses(record, carries);
     const RecordNames names(record);
     std::size_t nested = 0;
-    for (const model::Phase& phase : record.phases)
-        nested += phase.period.is_nil() ? 0U : 1U;
+    for (const model::Phase& phase : record.phases) nested += phase.period.is_nil() ? 0U : 1U;
     add_loss(written.lost, nested, "phases whose period is written only with their units");
     auto [observations, inferences] = relations(names);
     const std::array tables = {
         std::pair{std::string{"contexts"}, contexts(names)},
         std::pair{std::string{"observations"}, std::move(observations)},
         std::pair{std::string{"inferences"}, std::move(inferences)},
-        std::pair{std::string{"periods"},
-                  chronology(record.periods, [](const model::Period& p) { return p.number; })},
+        std::pair{std::string{"periods"}, chronology(record.periods, [](const model::Period& p) { return p.number; })},
         std::pair{std::string{"phases"},
                   chronology(record.phases, [&](const model::Phase& p) { return names.phase(p.id); })},
         std::pair{std::string{"events"}, events(names, written.lost)},

@@ -62,8 +62,7 @@ class HmcTable {
         for (const HmcNode& node : nodes_) {
             if (is_hmc_group(node.type)) groups_.insert(node.id);
         }
-        for (std::size_t i = 0; i < rows_.size(); ++i)
-            add_relations(nodes_[i], *rows_[i]);
+        for (std::size_t i = 0; i < rows_.size(); ++i) add_relations(nodes_[i], *rows_[i]);
     }
 
     [[nodiscard]] bool is_empty() const { return nodes_.empty(); }
@@ -92,8 +91,7 @@ class HmcTable {
         for (const ListColumn& column : kListColumns) {
             const std::string list = value(row, column.name);
             for (const std::string& other : split_list(list, ListSeparator::Comma)) {
-                const std::string raw =
-                    fmt::format("{} {}: {}", node.id, text::fold_case(column.name), other);
+                const std::string raw = fmt::format("{} {}: {}", node.id, text::fold_case(column.name), other);
                 const Place place{file_, row.line, raw};
                 if (is_hmc_group(node.type) || groups_.contains(other)) {
                     builder_.note(place, "group-relation",
@@ -130,8 +128,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -141,9 +138,8 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
         HmcTable reader(builder, file->name);
         reader.read(table);
         if (reader.is_empty()) {
-            throw Error(
-                ErrorCode::BadInput,
-                fmt::format("{}: no line tagged UNIT below a HEADER line with the column ID", file->name));
+            throw Error(ErrorCode::BadInput,
+                        fmt::format("{}: no line tagged UNIT below a HEADER line with the column ID", file->name));
         }
     }
     return builder.finish();

@@ -36,8 +36,7 @@ const HmcNode* around(const NodesById& nodes, const HmcNode& node, std::string_v
     return nullptr;
 }
 
-void set_kind(model::StratigraphicUnit& unit, const HmcNode& node, RecordBuilder& builder,
-              const Place& place) {
+void set_kind(model::StratigraphicUnit& unit, const HmcNode& node, RecordBuilder& builder, const Place& place) {
     const std::string& type = node.type;
     if (type == "DEPOSIT") {
         unit.kind = UnitKind::Deposit;
@@ -110,9 +109,7 @@ void add_unit(RecordBuilder& builder, const NodesById& nodes, const HmcNode& nod
 
 } // namespace
 
-bool is_hmc_group(std::string_view type) noexcept {
-    return type == kPhaseGroup || type == kPeriodGroup;
-}
+bool is_hmc_group(std::string_view type) noexcept { return type == kPhaseGroup || type == kPeriodGroup; }
 
 void add_hmc_nodes(RecordBuilder& builder, const std::vector<HmcNode>& nodes, std::string_view file) {
     NodesById groups;
@@ -132,24 +129,21 @@ void add_hmc_nodes(RecordBuilder& builder, const std::vector<HmcNode>& nodes, st
             continue;
         }
         if (is_hmc_group(node.type)) {
-            builder.note(place, "repeated",
-                         fmt::format("the group {} comes twice; the first counts", node.id));
+            builder.note(place, "repeated", fmt::format("the group {} comes twice; the first counts", node.id));
             continue;
         }
         incomplete += node.valid ? 0U : 1U;
         add_unit(builder, groups, node, place);
     }
     if (incomplete > 0) {
-        builder.note(
-            {file, 0, {}}, "marked-incomplete",
-            fmt::format("the Harris Matrix Composer marks {} units as tied incompletely", incomplete));
+        builder.note({file, 0, {}}, "marked-incomplete",
+                     fmt::format("the Harris Matrix Composer marks {} units as tied incompletely", incomplete));
     }
 }
 
 std::string_view hmc_type_of(const model::StratigraphicUnit& unit) noexcept {
     if (unit.kind == UnitKind::Natural) return "GEOLOGY";
-    if (unit.kind == UnitKind::Unknown && unit.status == model::UnitStatus::NotExcavated)
-        return "UNEXCAVATED";
+    if (unit.kind == UnitKind::Unknown && unit.status == model::UnitStatus::NotExcavated) return "UNEXCAVATED";
     if (unit.kind == UnitKind::Interface) {
         const auto position = unit.details.find("position");
         return position != unit.details.end() && position->second == kTopSurface ? "TOP_SURFACE" : "SURFACE";

@@ -50,12 +50,9 @@ class HmcIds {
   public:
     explicit HmcIds(const RecordNames& names) {
         const model::Record& record = names.record();
-        for (const auto& unit : record.units)
-            units_.emplace(unit.id, take(names.unit(unit.id), "unit"));
-        for (const auto& period : record.periods)
-            periods_.emplace(period.id, take(period.number, "period"));
-        for (const auto& phase : record.phases)
-            phases_.emplace(phase.id, take(names.phase(phase.id), "phase"));
+        for (const auto& unit : record.units) units_.emplace(unit.id, take(names.unit(unit.id), "unit"));
+        for (const auto& period : record.periods) periods_.emplace(period.id, take(period.number, "period"));
+        for (const auto& phase : record.phases) phases_.emplace(phase.id, take(names.phase(phase.id), "phase"));
     }
 
     [[nodiscard]] std::string unit(model::UnitId id) const { return units_.at(id); }
@@ -81,8 +78,7 @@ class HmcIds {
         if (!name.empty() && taken_.insert(name).second) return name;
         ++renamed_;
         std::string id = fmt::format("{} {}", what, name);
-        while (!taken_.insert(id).second)
-            id += "'";
+        while (!taken_.insert(id).second) id += "'";
         return id;
     }
 
@@ -98,26 +94,17 @@ std::vector<Edge> edges_of(const RecordNames& names, const HmcIds& ids) {
     std::vector<Edge> edges;
     for (const std::size_t i : complete_relations(names)) {
         const model::PhysicalRelation& r = names.record().relations[i];
-        const auto add = [&](const char* type) {
-            edges.push_back({ids.unit(r.subject), type, ids.unit(r.object)});
-        };
+        const auto add = [&](const char* type) { edges.push_back({ids.unit(r.subject), type, ids.unit(r.object)}); };
         switch (r.kind) {
         case RelationKind::Covers:
         case RelationKind::Cuts:
         case RelationKind::Fills:
-        case RelationKind::Abuts:
-            add("ABOVE");
-            break;
-        case RelationKind::Later:
-            add("LATER");
-            break;
+        case RelationKind::Abuts: add("ABOVE"); break;
+        case RelationKind::Later: add("LATER"); break;
         case RelationKind::BondsWith:
-        case RelationKind::Contemporary:
-            add("CONTEMPORARY");
-            break;
+        case RelationKind::Contemporary: add("CONTEMPORARY"); break;
         case RelationKind::SameAs:
-        case RelationKind::Borders:
-            break;
+        case RelationKind::Borders: break;
         }
     }
     return edges;
@@ -137,8 +124,8 @@ HmcDocument document_of(const RecordNames& names, std::vector<std::string>& lost
             group_node(ids.period(period.id), "PERIOD_GROUP", period.title, period.description, ""));
     }
     for (const auto& phase : record.phases) {
-        document.groups.push_back(group_node(ids.phase(phase.id), "PHASE_GROUP", phase.title,
-                                             phase.description, ids.period(phase.period)));
+        document.groups.push_back(
+            group_node(ids.phase(phase.id), "PHASE_GROUP", phase.title, phase.description, ids.period(phase.period)));
     }
     const HarrisMatrix matrix = HarrisMatrix::build(record);
     std::size_t torn = 0;
@@ -155,32 +142,27 @@ HmcDocument document_of(const RecordNames& names, std::vector<std::string>& lost
                      true,
                      0};
         document.units.push_back(std::move(node));
-        document.layers.push_back(
-            matrix.rank_from_top(matrix.component_of(matrix.node_of(static_cast<UnitIndex>(i)))));
+        document.layers.push_back(matrix.rank_from_top(matrix.component_of(matrix.node_of(static_cast<UnitIndex>(i)))));
     }
     document.edges = edges_of(names, ids);
     add_loss(lost, torn, "units without their period, which is not that of their phase");
-    add_loss(lost, ids.renamed(),
-             "phases and periods renamed, as HMC knows one series of numbers for all");
+    add_loss(lost, ids.renamed(), "phases and periods renamed, as HMC knows one series of numbers for all");
     return document;
 }
 
 std::string node_data(const HmcNode& node, std::uint32_t layer, std::size_t index) {
-    return fmt::format(
-        "<data key=\"d2\"><hmcnode xmlns=\"\" id=\"{}\" name=\"{}\" description=\"{}\" type=\"{}\" "
-        "layer=\"{}\" index=\"{}\" valid=\"true\" bookmarked=\"false\"{}/></data>",
-        xml_escape(node.id), xml_escape(node.name), xml_escape(node.description), node.type, layer, index,
-        is_hmc_group(node.type) ? " open=\"true\"" : "");
+    return fmt::format("<data key=\"d2\"><hmcnode xmlns=\"\" id=\"{}\" name=\"{}\" description=\"{}\" type=\"{}\" "
+                       "layer=\"{}\" index=\"{}\" valid=\"true\" bookmarked=\"false\"{}/></data>",
+                       xml_escape(node.id), xml_escape(node.name), xml_escape(node.description), node.type, layer,
+                       index, is_hmc_group(node.type) ? " open=\"true\"" : "");
 }
 
 /// Writes the nested graphs; two levels at most, so a walk over parents is enough.
 class MatrixXml {
   public:
     explicit MatrixXml(const HmcDocument& document) : document_(document) {
-        for (std::size_t i = 0; i < document.groups.size(); ++i)
-            groups_in_[document.groups[i].parent].push_back(i);
-        for (std::size_t i = 0; i < document.units.size(); ++i)
-            units_in_[document.units[i].parent].push_back(i);
+        for (std::size_t i = 0; i < document.groups.size(); ++i) groups_in_[document.groups[i].parent].push_back(i);
+        for (std::size_t i = 0; i < document.units.size(); ++i) units_in_[document.units[i].parent].push_back(i);
     }
 
     std::string write() {
@@ -193,10 +175,9 @@ class MatrixXml {
         write_inside("");
         std::size_t number = 0;
         for (const Edge& edge : document_.edges) {
-            out_ += fmt::format(
-                "    <edge id=\"e{}\" source=\"{}\" target=\"{}\"><data key=\"d2\"><hmcedge xmlns=\"\" "
-                "type=\"{}\" valid=\"true\"/></data></edge>\n",
-                ++number, xml_escape(edge.source), xml_escape(edge.target), edge.type);
+            out_ += fmt::format("    <edge id=\"e{}\" source=\"{}\" target=\"{}\"><data key=\"d2\"><hmcedge xmlns=\"\" "
+                                "type=\"{}\" valid=\"true\"/></data></edge>\n",
+                                ++number, xml_escape(edge.source), xml_escape(edge.target), edge.type);
         }
         out_ += "  </graph>\n</graphml>\n";
         return std::move(out_);
@@ -246,17 +227,14 @@ std::unordered_map<std::string, RowLists> lists_of(const HmcDocument& document) 
         if (edge.type == "LATER") add(target.earlier, edge.source);
         if (edge.type == "CONTEMPORARY") add(target.contemporary, edge.source);
     }
-    for (const HmcNode& unit : document.units)
-        lists[unit.parent].children.push_back(unit.id);
-    for (const HmcNode& group : document.groups)
-        lists[group.parent].children.push_back(group.id);
+    for (const HmcNode& unit : document.units) lists[unit.parent].children.push_back(unit.id);
+    for (const HmcNode& group : document.groups) lists[group.parent].children.push_back(group.id);
     return lists;
 }
 
 std::string comma_list(const std::vector<std::string>& ids) {
     std::string list;
-    for (const std::string& id : ids)
-        list += (list.empty() ? "" : ",") + id;
+    for (const std::string& id : ids) list += (list.empty() ? "" : ",") + id;
     return list;
 }
 
@@ -295,9 +273,9 @@ Written write_hmc_csv(const model::Record& record, const WriteOptions& /*options
     const RowWriter quoted{';', "\r\n", true, false};
     std::string out = plain.write(std::array<std::string, 4>{"HEADER", "NAME", "DESCRIPTION", "SITE"});
     out += quoted.write(std::array<std::string, 4>{"PROJECT", record.settings.name, "", ""});
-    out += plain.write(std::array<std::string, 14>{"HEADER", "ID", "TYPE", "NAME", "DESCRIPTION", "LAYER",
-                                                   "VALID", "ABOVE", "BELOW", "EARLIER", "LATER",
-                                                   "CONTEMPORARY", "PARENT", "CHILDREN"});
+    out += plain.write(std::array<std::string, 14>{"HEADER", "ID", "TYPE", "NAME", "DESCRIPTION", "LAYER", "VALID",
+                                                   "ABOVE", "BELOW", "EARLIER", "LATER", "CONTEMPORARY", "PARENT",
+                                                   "CHILDREN"});
     const auto lists = lists_of(document);
     const auto write_row = [&](const HmcNode& node, std::uint32_t layer) {
         const auto found = lists.find(node.id);
@@ -308,10 +286,8 @@ Written write_hmc_csv(const model::Record& record, const WriteOptions& /*options
             comma_list(row.above), comma_list(row.below), comma_list(row.earlier), comma_list(row.later),
             comma_list(row.contemporary), node.parent, comma_list(row.children)});
     };
-    for (const HmcNode& group : document.groups)
-        write_row(group, 0);
-    for (std::size_t i = 0; i < document.units.size(); ++i)
-        write_row(document.units[i], document.layers[i]);
+    for (const HmcNode& group : document.groups) write_row(group, 0);
+    for (std::size_t i = 0; i < document.units.size(); ++i) write_row(document.units[i], document.layers[i]);
     written.files.push_back({{}, std::move(out)});
     return written;
 }

@@ -135,8 +135,7 @@ Recognition recognise(std::span<const InputFile> files) {
         Confidence confidence = Confidence::No;
         if (is_zip(bytes)) {
             const bool has_matrix = bytes.find("matrix.xml") != std::string_view::npos;
-            if (named || has_matrix)
-                confidence = named && has_matrix ? Confidence::Certain : Confidence::Likely;
+            if (named || has_matrix) confidence = named && has_matrix ? Confidence::Certain : Confidence::Likely;
         } else if (text::trim(bytes.substr(0, 4096)).find('<') != std::string_view::npos &&
                    bytes.find("hmcnode") != std::string_view::npos) {
             confidence = Confidence::Certain;
@@ -157,16 +156,14 @@ void read_file(const InputFile& file, RecordBuilder& builder, Progress& progress
     const auto members = read_zip(file.bytes, file.name, kMembers, kMaxRecordFile);
     const auto matrix = members.find("matrix.xml");
     if (matrix == members.end()) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{}: no matrix.xml in the archive, so not {}", file.name, kWhat));
+        throw Error(ErrorCode::BadInput, fmt::format("{}: no matrix.xml in the archive, so not {}", file.name, kWhat));
     }
     read_matrix(matrix->second, file.name, builder, progress);
     const auto project = members.find("project.xml");
     if (project != members.end()) read_properties(project->second, file.name, builder);
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();

@@ -86,7 +86,8 @@ class FieldReader {
             builder_.note({file, line, text}, "unparsed", fmt::format("{}; the line was left out", e.what()));
             return;
         }
-        if (Json* docs = json.is_object() && json.contains("docs") ? &json["docs"] : nullptr; docs != nullptr && docs->is_array()) {
+        if (Json* docs = json.is_object() && json.contains("docs") ? &json["docs"] : nullptr;
+            docs != nullptr && docs->is_array()) {
             for (Json& doc : *docs) add(std::move(doc), file, line);
         } else if (json.is_array()) {
             for (Json& doc : json) add(std::move(doc), file, line);
@@ -126,7 +127,8 @@ class FieldReader {
     [[nodiscard]] UnitName name_of(const FieldResource& resource) const {
         for (const std::string& id : field_targets(resource.json, "isRecordedIn")) {
             const FieldResource* place = find(id);
-            if (place != nullptr && place->role == FieldRole::Place) return builder_.name(place->identifier, resource.identifier);
+            if (place != nullptr && place->role == FieldRole::Place)
+                return builder_.name(place->identifier, resource.identifier);
         }
         return builder_.name({}, resource.identifier);
     }
@@ -167,7 +169,8 @@ class FieldReader {
         const UnitName name = name_of(resource);
         const Place place{resource.file, resource.line, resource.identifier};
         if (builder_.has_unit(name)) {
-            builder_.note(place, "repeated-unit", fmt::format("two resources are called {}; they are taken for one", name.number));
+            builder_.note(place, "repeated-unit",
+                          fmt::format("two resources are called {}; they are taken for one", name.number));
         }
         ImportedUnit& unit = builder_.unit(name, place);
         read_field_unit(resource, unit);
@@ -210,7 +213,8 @@ class FieldReader {
         const Json* point = json_member(*geometry, "coordinates");
         if (point == nullptr || !point->is_array() || point->size() < 2) return;
         const auto coordinate = [&](std::size_t i) {
-            return i < point->size() && (*point)[i].is_number() ? std::optional((*point)[i].get<double>()) : std::nullopt;
+            return i < point->size() && (*point)[i].is_number() ? std::optional((*point)[i].get<double>())
+                                                                : std::nullopt;
         };
         find.x = coordinate(0);
         find.y = coordinate(1);
@@ -230,7 +234,8 @@ class FieldReader {
     void read_document(const FieldResource& resource) {
         for (const std::string& id : field_targets(resource.json, "depicts")) {
             const FieldResource* shown = find(id);
-            const FieldResource* unit = shown == nullptr || shown->role == FieldRole::Unit ? shown : unit_around(*shown);
+            const FieldResource* unit =
+                shown == nullptr || shown->role == FieldRole::Unit ? shown : unit_around(*shown);
             if (unit == nullptr) continue;
             ImportedDocument& document = builder_.record.documents.emplace_back();
             document.unit = name_of(*unit);
@@ -283,8 +288,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     FieldReader reader(options);
     for (const InputFile* file : files) reader.read_file(*file, progress);
     return reader.finish();

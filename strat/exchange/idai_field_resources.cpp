@@ -11,18 +11,20 @@ namespace planum::strat {
 namespace {
 
 constexpr std::array<std::string_view, 24> kUnitCategories = {
-    "feature", "layer",     "architecture", "grave",    "burial", "floor",     "pit",       "posthole",
-    "cut",     "fill",      "floorlevel",   "surface",  "wall",   "drillcorelayer", "featuresegment", "roomwall",
-    "roomfloor", "roomceiling", "earthwork", "otherfeature", "stratigraphicunit", "planum", "hearth", "ditch"};
+    "feature",        "layer",    "architecture", "grave",       "burial",    "floor",        "pit",
+    "posthole",       "cut",      "fill",         "floorlevel",  "surface",   "wall",         "drillcorelayer",
+    "featuresegment", "roomwall", "roomfloor",    "roomceiling", "earthwork", "otherfeature", "stratigraphicunit",
+    "planum",         "hearth",   "ditch"};
 constexpr std::array<std::string_view, 17> kNothing = {
-    "project",     "configuration", "type",   "typecatalog", "room",          "building", "survey", "surveyunit",
-    "buildingpart", "surveyburial", "profile", "place",      "trench",        "area",     "operation", "storageplace",
+    "project",         "configuration", "type",    "typecatalog", "room",   "building", "survey",    "surveyunit",
+    "buildingpart",    "surveyburial",  "profile", "place",       "trench", "area",     "operation", "storageplace",
     "valuablecategory"};
 constexpr std::array<std::string_view, 5> kPlaces = {"trench", "survey", "area", "operation", "building"};
 constexpr std::array<std::string_view, 5> kDocuments = {"photo", "drawing", "image", "plandrawing", "sectiondrawing"};
-constexpr std::array<std::string_view, 13> kStrata = {
-    "isAbove", "isBelow",  "cuts",     "isCutBy",  "fills",             "isFilledBy",     "abuts",
-    "isAbuttedBy", "isAfter", "isBefore", "bordersOn", "isContemporaryWith", "isEquivalentTo"};
+constexpr std::array<std::string_view, 13> kStrata = {"isAbove",       "isBelow",    "cuts",      "isCutBy",
+                                                      "fills",         "isFilledBy", "abuts",     "isAbuttedBy",
+                                                      "isAfter",       "isBefore",   "bordersOn", "isContemporaryWith",
+                                                      "isEquivalentTo"};
 
 struct FieldColumn {
     std::string_view key;
@@ -43,7 +45,7 @@ constexpr std::array kDetails = {
 };
 constexpr std::array<std::string_view, 4> kCustom = {"specificType", "graveType", "campaign", "hasDisturbance"};
 
-template <class List>
+template<class List>
 bool contains(const List& list, std::string_view word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }

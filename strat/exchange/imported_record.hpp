@@ -108,7 +108,7 @@ struct ReadNote {
 };
 
 /// Readers of dirty tables return both: what they understood, and all that they did not.
-template <class T>
+template<class T>
 struct Imported {
     T values;
     std::vector<ReadNote> diagnostics;

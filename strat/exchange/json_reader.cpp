@@ -26,8 +26,7 @@ constexpr double kMaxWhole = 9.0e15; // beyond, doubles are no whole numbers
 /// One object of an array, with the words for a note about it.
 class Item {
   public:
-    Item(const Json& value, std::string_view array, std::size_t index, RecordBuilder& builder,
-         std::string_view file)
+    Item(const Json& value, std::string_view array, std::size_t index, RecordBuilder& builder, std::string_view file)
         : value_(value), where_(fmt::format("{}[{}]", array, index)), builder_(builder), file_(file) {}
 
     [[nodiscard]] std::string text(std::string_view key) const { return json_text(value_, key); }
@@ -42,8 +41,7 @@ class Item {
     [[nodiscard]] std::optional<std::int64_t> whole(std::string_view key) const {
         const auto value = number(key);
         if (!value) return std::nullopt;
-        if (std::abs(*value) < kMaxWhole && std::floor(*value) == *value)
-            return static_cast<std::int64_t>(*value);
+        if (std::abs(*value) < kMaxWhole && std::floor(*value) == *value) return static_cast<std::int64_t>(*value);
         note("unparsed", fmt::format("{} is no whole number; left out", key));
         return std::nullopt;
     }
@@ -52,9 +50,7 @@ class Item {
 
     [[nodiscard]] Place place() const { return {file_, 0, where_}; }
 
-    void note(std::string_view code, std::string message) const {
-        builder_.note(place(), code, std::move(message));
-    }
+    void note(std::string_view code, std::string message) const { builder_.note(place(), code, std::move(message)); }
 
     /// A word of one of our lists; the default, with a note, when it is none.
     template<class Enum, class FromWord>
@@ -79,8 +75,7 @@ class JsonRecordReader {
 
     void read(const Json& root) {
         if (const Json* project = json_member(root, "project")) {
-            if (builder_.record.project_name.empty())
-                builder_.record.project_name = json_text(*project, "name");
+            if (builder_.record.project_name.empty()) builder_.record.project_name = json_text(*project, "name");
         }
         // Names first: everything refers to units by them.
         each(root, "units", [&](const Item& item) {
@@ -186,8 +181,7 @@ class JsonRecordReader {
         unit.parent = unit_of(item, "parent");
         const Json* details = json_member(item.json(), "details");
         if (details == nullptr || !details->is_object()) return;
-        for (const auto& [key, value] : details->items())
-            read_detail(item, values, key, json_scalar_text(value));
+        for (const auto& [key, value] : details->items()) read_detail(item, values, key, json_scalar_text(value));
     }
 
     static void read_detail(const Item& item, model::StratigraphicUnit& unit, const std::string& key,
@@ -199,8 +193,7 @@ class JsonRecordReader {
             unit.details[key] = std::move(text);
             return;
         }
-        item.note("unknown-column",
-                  fmt::format("the field {} is not known; kept among the free fields", key));
+        item.note("unknown-column", fmt::format("the field {} is not known; kept among the free fields", key));
         std::string& custom = unit.details["custom"];
         custom += fmt::format("{}{}={}", custom.empty() ? "" : "\n", key, text);
     }
@@ -223,21 +216,17 @@ class JsonRecordReader {
     void read_relation(const Item& item) {
         const auto kind = model::relation_kind_from_word(item.text("kind"));
         if (!kind) {
-            item.note("unknown-relation",
-                      fmt::format("the relation {} is not known; left out", item.text("kind")));
+            item.note("unknown-relation", fmt::format("the relation {} is not known; left out", item.text("kind")));
             return;
         }
-        const std::string raw =
-            fmt::format("{} {} {}", item.text("unit"), item.text("kind"), item.text("other"));
+        const std::string raw = fmt::format("{} {} {}", item.text("unit"), item.text("kind"), item.text("other"));
         const auto add = [&](model::StatementSide side, const std::string& person) {
             StatedRelation* relation =
                 builder_.relate(unit_of(item), {*kind, false}, unit_of(item, "other"), {file_, 0, raw});
             if (relation == nullptr) return;
-            relation->certainty =
-                item.word("certainty", model::Certainty::Certain, model::certainty_from_word);
+            relation->certainty = item.word("certainty", model::Certainty::Certain, model::certainty_from_word);
             const Json* correlation = json_member(item.json(), "correlation");
-            relation->correlation =
-                correlation != nullptr && correlation->is_boolean() && correlation->get<bool>();
+            relation->correlation = correlation != nullptr && correlation->is_boolean() && correlation->get<bool>();
             relation->side = side;
             relation->person = person;
         };
@@ -335,16 +324,14 @@ Recognition recognise(std::span<const InputFile> files) {
     result.why = "JSON with \"format\": \"planum-record\"";
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::string_view head = text::trim(std::string_view{files[i].bytes}.substr(0, 4096));
-        if (head.find('{') == std::string_view::npos || head.find(kFormat) == std::string_view::npos)
-            continue;
+        if (head.find('{') == std::string_view::npos || head.find(kFormat) == std::string_view::npos) continue;
         result.files.push_back(i);
         result.confidence = Confidence::Certain;
     }
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -354,8 +341,7 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
         try {
             const Json root = parse_json(decoded.text);
             if (json_text(root, "format") != kFormat) {
-                throw Error(ErrorCode::BadInput,
-                            fmt::format("no record of ours: `format` is not {}", kFormat));
+                throw Error(ErrorCode::BadInput, fmt::format("no record of ours: `format` is not {}", kFormat));
             }
             const double version = json_number(root, "version").value_or(0.0);
             if (version > kVersion) {

@@ -30,8 +30,7 @@ void put(Json& object, const char* key, const std::optional<Number>& value) {
 class JsonRecord {
   public:
     explicit JsonRecord(const RecordNames& names) : names_(names), record_(names.record()) {
-        for (const model::Source& source : record_.sources)
-            sources_.emplace(source.id, source.name);
+        for (const model::Source& source : record_.sources) sources_.emplace(source.id, source.name);
         for (const model::RelationStatement& statement : record_.statements) {
             statements_[statement.relation].push_back(&statement);
         }
@@ -62,8 +61,7 @@ class JsonRecord {
     template<class Values, class Make>
     void fill(Json& array, const Values& values, Make make) const {
         array = Json::array();
-        for (const auto& value : values)
-            array.push_back((this->*make)(value));
+        for (const auto& value : values) array.push_back((this->*make)(value));
     }
 
     void put_unit(Json& object, const char* key, model::UnitId id) const {
@@ -229,11 +227,10 @@ class JsonRecord {
 Written write_json(const model::Record& record, const WriteOptions& /*options*/) {
     Carries all;
     all.kind = [](const model::StratigraphicUnit&) { return true; };
-    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation =
-        all.details = all.mentioned = all.phases = all.periods = all.chronology_years = all.groups =
-            all.contact_kinds = all.later = all.same_as = all.bonds = all.contemporary = all.borders =
-                all.certainty = all.statements = all.datings = all.levels = all.finds = all.samples =
-                    all.documents = true;
+    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation = all.details =
+        all.mentioned = all.phases = all.periods = all.chronology_years = all.groups = all.contact_kinds = all.later =
+            all.same_as = all.bonds = all.contemporary = all.borders = all.certainty = all.statements = all.datings =
+                all.levels = all.finds = all.samples = all.documents = true;
     Written written;
     written.lost = losses(record, all);
     const RecordNames names(record);

@@ -34,9 +34,7 @@ constexpr std::array kRelationKeys = {
     Key{"equal to", {RelationKind::SameAs, false}},
 };
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 // The colon that ends a key: the first one that is not half of `::`.
 std::size_t colon_after_key(std::string_view line) {
@@ -86,8 +84,7 @@ class LstParser {
                 read_unit(place);
             }
         }
-        for (const auto& [group, member] : parts_)
-            put_into_group(member, group);
+        for (const auto& [group, member] : parts_) put_into_group(member, group);
     }
 
   private:
@@ -120,8 +117,7 @@ class LstParser {
         const auto entry = parse_entry(place.raw_text);
         if (!entry || !current_) {
             builder_.note(place, "unparsed",
-                          current_ ? "no `key: list` under a unit; left out"
-                                   : "an entry before any unit; left out");
+                          current_ ? "no `key: list` under a unit; left out" : "an entry before any unit; left out");
             return;
         }
         for (const Key& key : kRelationKeys) {
@@ -151,8 +147,7 @@ class LstParser {
             builder_.group(current_text_).values.type = "group";
             groups_.emplace(*current_, current_text_);
         } else if (folded != "context" && !folded.empty()) {
-            builder_.note(place, "unknown-class",
-                          fmt::format("the class {} is not known; taken as context", word));
+            builder_.note(place, "unknown-class", fmt::format("the class {} is not known; taken as context", word));
         }
     }
 
@@ -225,8 +220,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     std::map<UnitName, std::string> groups;
     for (const InputFile* file : files) {
@@ -240,11 +234,10 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
     }
     if (!groups.empty()) take_groups_out(builder, groups);
     if (builder.record.units.empty()) {
-        throw Error(
-            ErrorCode::BadInput,
-            fmt::format("{}: no unit found; a .lst dataset has three lines of title, then unit numbers in "
-                        "the first column with indented above: and below: lists",
-                        files.empty() ? "" : files.front()->name));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: no unit found; a .lst dataset has three lines of title, then unit numbers in "
+                                "the first column with indented above: and below: lists",
+                                files.empty() ? "" : files.front()->name));
     }
     return builder.finish();
 }

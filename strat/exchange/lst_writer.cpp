@@ -45,17 +45,14 @@ class LstDocument {
         name_everything();
         collect_relations();
         collect_groups();
-        std::string out = fmt::format("   Stratigraphic Dataset {}\r\n\r\n  Name\r\n",
-                                      one_line(names_.record().settings.name));
-        for (const model::StratigraphicUnit& unit : names_.record().units)
-            write_unit(out, unit);
-        for (const model::UnitGroup& group : names_.record().groups)
-            write_group(out, group);
+        std::string out =
+            fmt::format("   Stratigraphic Dataset {}\r\n\r\n  Name\r\n", one_line(names_.record().settings.name));
+        for (const model::StratigraphicUnit& unit : names_.record().units) write_unit(out, unit);
+        for (const model::UnitGroup& group : names_.record().groups) write_group(out, group);
         std::size_t letters = 0;
         std::string bytes = text::to_latin1(out, &letters);
         add_loss(lost_, letters, "letters beyond Latin-1, written as question marks");
-        add_loss(lost_, changed_,
-                 "names with _ for blanks, commas, colons and letters beyond Latin-1");
+        add_loss(lost_, changed_, "names with _ for blanks, commas, colons and letters beyond Latin-1");
         add_loss(lost_, long_, "names longer than the 8 letters that the BASP programs read");
         add_loss(lost_, shortened_, "titles shortened to 40 letters in one line");
         add_loss(lost_, further_groups_, "further groups of a unit, of which only the first is written");
@@ -75,10 +72,8 @@ class LstDocument {
     }
 
     void name_everything() {
-        for (const auto& unit : names_.record().units)
-            written_.emplace(unit.id, take_name(names_.unit(unit.id)));
-        for (const auto& group : names_.record().groups)
-            groups_.emplace(group.id, take_name(names_.group(group.id)));
+        for (const auto& unit : names_.record().units) written_.emplace(unit.id, take_name(names_.unit(unit.id)));
+        for (const auto& group : names_.record().groups) groups_.emplace(group.id, take_name(names_.group(group.id)));
     }
 
     void add(model::UnitId unit, std::size_t key, model::UnitId other) {
@@ -103,8 +98,7 @@ class LstDocument {
                 add(r.subject, 1, r.object);
                 add(r.object, 1, r.subject);
                 break;
-            case model::TimeMeaning::None:
-                break;
+            case model::TimeMeaning::None: break;
             }
         }
     }
@@ -127,8 +121,7 @@ class LstDocument {
         }
         const auto group = group_of_.find(unit.id);
         if (group == group_of_.end()) return;
-        out += fmt::format("{}Unit class: context\r\n{}Part of: {}\r\n", kIndent, kIndent,
-                           groups_.at(group->second));
+        out += fmt::format("{}Unit class: context\r\n{}Part of: {}\r\n", kIndent, kIndent, groups_.at(group->second));
     }
 
     void write_group(std::string& out, const model::UnitGroup& group) {

@@ -128,8 +128,9 @@ void read_file(const InputFile& file, PhaserRecord& record) {
     const TableHeader header(table.rows.empty() ? TableRow{} : table.rows.front());
     if (!is_phaser(header)) {
         throw Error(ErrorCode::BadInput,
-                    file.name + ": the first line has not the columns of a PHASER table (siteCode, contextID; sourceID, "
-                                "stratRelationship, targetID; phaseID, groupID, subgroupID, periodID, datingID)");
+                    file.name +
+                        ": the first line has not the columns of a PHASER table (siteCode, contextID; sourceID, "
+                        "stratRelationship, targetID; phaseID, groupID, subgroupID, periodID, datingID)");
     }
     const NodeTable* nodes = node_table(header);
     for (std::size_t i = 1; i < table.rows.size(); ++i) {
@@ -150,7 +151,8 @@ Recognition recognise(std::span<const InputFile> files) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         DelimitedTable table = glimpse_table(files[i]);
         if (table.rows.empty()) continue;
-        table = with_blanks_if_needed(std::move(table), std::string_view(files[i].bytes).substr(0, 1U << 16U), files[i].name);
+        table = with_blanks_if_needed(std::move(table), std::string_view(files[i].bytes).substr(0, 1U << 16U),
+                                      files[i].name);
         if (table.rows.empty() || !is_phaser(TableHeader(table.rows.front()))) continue;
         out.files.push_back(i);
         out.confidence = Confidence::Certain;
@@ -159,8 +161,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     PhaserRecord record(options);
     for (const InputFile* file : files) {
         progress.check();

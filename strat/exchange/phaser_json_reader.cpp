@@ -137,8 +137,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     PhaserRecord record(options);
     for (const InputFile* file : files) {
         progress.check();

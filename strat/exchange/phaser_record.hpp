@@ -32,7 +32,7 @@ struct PhaserNode {
     std::string association;
     std::string from; ///< minYear as written
     std::string to;
-    std::string tolerance; ///< "±20 years", or empty
+    std::string tolerance;         ///< "±20 years", or empty
     std::vector<PhaserKey> within; ///< nearest first
     std::string file;
     std::int64_t line = 0;
@@ -54,6 +54,7 @@ class PhaserRecord {
     [[nodiscard]] RecordBuilder& builder() noexcept { return builder_; }
 
     void add(PhaserNode node);
+
     void add(PhaserEdge edge) { edges_.push_back(std::move(edge)); }
 
     [[nodiscard]] const PhaserNode* find(const PhaserKey& key) const;

@@ -36,8 +36,7 @@ Names unit_columns() {
                    "top",
                    "x",
                    "y"};
-    for (const model::UnitFieldInfo& field : model::kUnitFields)
-        names.push_back(field.name);
+    for (const model::UnitFieldInfo& field : model::kUnitFields) names.push_back(field.name);
     return names;
 }
 
@@ -56,8 +55,8 @@ std::span<const std::string_view> csv_columns(CsvTable table) {
     static const Names levels = {"unit", "area", "z", "role", "x", "y", "label"};
     static const Names finds = {"find",     "unit",  "area",   "x",         "y",   "z",        "type",
                                 "material", "count", "weight", "condition", "box", "found_on", "description"};
-    static const Names samples = {
-        "sample", "unit", "area", "type", "volume", "weight", "laboratory_number", "state", "description"};
+    static const Names samples = {"sample", "unit",       "area", "type", "volume", "weight", "laboratory_number",
+                                  "state",  "description"};
     static const Names documents = {"document", "unit", "area", "type", "title", "path", "made_on", "author"};
     static const Names datings = {"dating", "unit", "area",  "find",        "kind", "from",
                                   "to",     "bp",   "error", "association", "notes"};
@@ -66,60 +65,36 @@ std::span<const std::string_view> csv_columns(CsvTable table) {
     static const Names groups = {"group", "type", "title", "description", "parent"};
     static const Names areas = {"area", "title", "method", "first_number", "last_number"};
     switch (table) {
-    case CsvTable::Units:
-        return units;
-    case CsvTable::Relations:
-        return relations;
-    case CsvTable::Members:
-        return members;
-    case CsvTable::Levels:
-        return levels;
-    case CsvTable::Finds:
-        return finds;
-    case CsvTable::Samples:
-        return samples;
-    case CsvTable::Documents:
-        return documents;
-    case CsvTable::Datings:
-        return datings;
-    case CsvTable::Phases:
-        return phases;
-    case CsvTable::Periods:
-        return periods;
-    case CsvTable::Groups:
-        return groups;
-    case CsvTable::Areas:
-        return areas;
+    case CsvTable::Units: return units;
+    case CsvTable::Relations: return relations;
+    case CsvTable::Members: return members;
+    case CsvTable::Levels: return levels;
+    case CsvTable::Finds: return finds;
+    case CsvTable::Samples: return samples;
+    case CsvTable::Documents: return documents;
+    case CsvTable::Datings: return datings;
+    case CsvTable::Phases: return phases;
+    case CsvTable::Periods: return periods;
+    case CsvTable::Groups: return groups;
+    case CsvTable::Areas: return areas;
     }
     return {};
 }
 
 std::string_view csv_name(CsvTable table) noexcept {
     switch (table) {
-    case CsvTable::Units:
-        return "units";
-    case CsvTable::Relations:
-        return "relations";
-    case CsvTable::Members:
-        return "members";
-    case CsvTable::Levels:
-        return "levels";
-    case CsvTable::Finds:
-        return "finds";
-    case CsvTable::Samples:
-        return "samples";
-    case CsvTable::Documents:
-        return "documents";
-    case CsvTable::Datings:
-        return "datings";
-    case CsvTable::Phases:
-        return "phases";
-    case CsvTable::Periods:
-        return "periods";
-    case CsvTable::Groups:
-        return "groups";
-    case CsvTable::Areas:
-        return "areas";
+    case CsvTable::Units: return "units";
+    case CsvTable::Relations: return "relations";
+    case CsvTable::Members: return "members";
+    case CsvTable::Levels: return "levels";
+    case CsvTable::Finds: return "finds";
+    case CsvTable::Samples: return "samples";
+    case CsvTable::Documents: return "documents";
+    case CsvTable::Datings: return "datings";
+    case CsvTable::Phases: return "phases";
+    case CsvTable::Periods: return "periods";
+    case CsvTable::Groups: return "groups";
+    case CsvTable::Areas: return "areas";
     }
     return {};
 }
@@ -144,8 +119,8 @@ std::optional<CsvTable> csv_table_of(const TableHeader& header) {
 
 std::string without_formula_guard(std::string_view cell) {
     const std::size_t at = cell.find_first_not_of('\'');
-    const bool guarded = at != std::string_view::npos && at > 0 &&
-                         std::string_view{"=+-@"}.find(cell[at]) != std::string_view::npos;
+    const bool guarded =
+        at != std::string_view::npos && at > 0 && std::string_view{"=+-@"}.find(cell[at]) != std::string_view::npos;
     return std::string{guarded ? cell.substr(1) : cell};
 }
 
@@ -161,8 +136,7 @@ std::optional<std::string> iso_date(std::string_view text) {
         parts[2].size() > 2 || !is_number_between(parts[1], 1, 12) || !is_number_between(parts[2], 1, 31)) {
         return std::nullopt;
     }
-    return fmt::format("{}-{:02}-{:02}", parts[0], *text::parse_integer(parts[1]),
-                       *text::parse_integer(parts[2]));
+    return fmt::format("{}-{:02}-{:02}", parts[0], *text::parse_integer(parts[1]), *text::parse_integer(parts[2]));
 }
 
 } // namespace planum::strat

@@ -27,9 +27,8 @@ enum class CsvTable {
 };
 
 inline constexpr CsvTable kAllCsvTables[] = {
-    CsvTable::Areas,   CsvTable::Periods,   CsvTable::Phases,  CsvTable::Groups,
-    CsvTable::Units,   CsvTable::Members,   CsvTable::Levels,  CsvTable::Finds,
-    CsvTable::Samples, CsvTable::Documents, CsvTable::Datings, CsvTable::Relations,
+    CsvTable::Areas,  CsvTable::Periods, CsvTable::Phases,  CsvTable::Groups,    CsvTable::Units,   CsvTable::Members,
+    CsvTable::Levels, CsvTable::Finds,   CsvTable::Samples, CsvTable::Documents, CsvTable::Datings, CsvTable::Relations,
 };
 
 /// The columns that a table may have, in the order in which they are written.

@@ -24,10 +24,9 @@ struct ParsedFile {
 
 std::size_t known_columns(const TableHeader& header, CsvTable table) {
     const auto known = csv_columns(table);
-    return static_cast<std::size_t>(
-        std::count_if(header.names().begin(), header.names().end(), [&](const auto& name) {
-            return std::find(known.begin(), known.end(), name) != known.end();
-        }));
+    return static_cast<std::size_t>(std::count_if(header.names().begin(), header.names().end(), [&](const auto& name) {
+        return std::find(known.begin(), known.end(), name) != known.end();
+    }));
 }
 
 // Relations are unmistakable; the others by how many of their columns we know.
@@ -62,12 +61,10 @@ ParsedFile parse(const InputFile& file, RecordBuilder& builder) {
     TableHeader header(table.rows.empty() ? TableRow{} : table.rows.front());
     const auto kind = csv_table_of(header);
     if (!kind) {
-        throw Error(
-            ErrorCode::BadInput,
-            fmt::format(
-                "{}: no table of ours; looked in the first line for the columns unit, relation, other "
-                "or unit, kind, title or another table's first column",
-                file.name));
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: no table of ours; looked in the first line for the columns unit, relation, other "
+                                "or unit, kind, title or another table's first column",
+                                file.name));
     }
     return {&file, std::move(table), std::move(header), *kind};
 }
@@ -83,8 +80,7 @@ void note_unknown_columns(const ParsedFile& parsed, RecordBuilder& builder) {
     }
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     std::vector<ParsedFile> parsed;
     for (const InputFile* file : files) {
@@ -99,8 +95,7 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
             if (table.kind != kind) continue;
             progress.check();
             for (std::size_t i = 1; i < table.table.rows.size(); ++i) {
-                read_csv_row(kind, CsvRow(table.header, table.table.rows[i], table.file->name, builder),
-                             builder);
+                read_csv_row(kind, CsvRow(table.header, table.table.rows[i], table.file->name, builder), builder);
             }
         }
     }
@@ -110,8 +105,7 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
 } // namespace
 
 const Reader& planum_csv_reader() {
-    static const Reader reader{"planum-csv", "Tables of units, relations, levels, finds, … (.csv)", recognise,
-                               read};
+    static const Reader reader{"planum-csv", "Tables of units, relations, levels, finds, … (.csv)", recognise, read};
     return reader;
 }
 

@@ -22,8 +22,7 @@ void set_kind(const CsvRow& row, ImportedUnit& unit) {
             unit.values.kind = kind->kind;
             unit.values.form = kind->form;
         } else {
-            row.note(word, "unknown-type",
-                     fmt::format("the kind {} is not known; kept as a free field", word));
+            row.note(word, "unknown-type", fmt::format("the kind {} is not known; kept as a free field", word));
             std::string& custom = unit.values.details["custom"];
             custom += (custom.empty() ? "kind=" : "\nkind=") + word;
         }
@@ -45,12 +44,10 @@ void set_status(const CsvRow& row, ImportedUnit& unit) {
     if (const auto status = model::from_word<model::UnitStatus>(word)) {
         unit.values.status = *status;
     } else {
-        row.note(
-            word, "unknown-status",
-            fmt::format(
-                "the status {} is not known; there are open, partly-excavated, excavated, not-excavated, "
-                "void",
-                word));
+        row.note(word, "unknown-status",
+                 fmt::format("the status {} is not known; there are open, partly-excavated, excavated, not-excavated, "
+                             "void",
+                             word));
     }
 }
 
@@ -95,20 +92,15 @@ void read_unit(const CsvRow& row, RecordBuilder& builder) {
     set_kind(row, unit);
     set_status(row, unit);
     builder.fill(unit.values.title, row.text("title"), "the title of " + name.number, place);
-    builder.fill(unit.values.description, row.text("description"), "the description of " + name.number,
-                 place);
-    builder.fill(unit.values.interpretation, row.text("interpretation"),
-                 "the interpretation of " + name.number, place);
-    builder.fill(unit.values.excavated_from, row.date("excavated_from"), "the first day of " + name.number,
-                 place);
+    builder.fill(unit.values.description, row.text("description"), "the description of " + name.number, place);
+    builder.fill(unit.values.interpretation, row.text("interpretation"), "the interpretation of " + name.number, place);
+    builder.fill(unit.values.excavated_from, row.date("excavated_from"), "the first day of " + name.number, place);
     builder.fill(unit.values.excavated_on, row.date("excavated_on"), "the last day of " + name.number, place);
     builder.fill(unit.values.recorded_by, row.text("recorded_by"), "the recorder of " + name.number, place);
-    builder.fill(unit.values.recorded_on, row.date("recorded_on"), "the recording day of " + name.number,
-                 place);
+    builder.fill(unit.values.recorded_on, row.date("recorded_on"), "the recording day of " + name.number, place);
     builder.fill(unit.phase, row.text("phase"), "the phase of " + name.number, place);
     builder.fill(unit.period, row.text("period"), "the period of " + name.number, place);
-    if (const std::string parent = row.text("parent"); !parent.empty())
-        unit.parent = row.unit_near(name, parent, {});
+    if (const std::string parent = row.text("parent"); !parent.empty()) unit.parent = row.unit_near(name, parent, {});
     set_details(row, unit, builder);
     for (const std::string& group : split_list(row.text("group"), ListSeparator::CommaOrSemicolon)) {
         builder.add_member(group, name);
@@ -147,8 +139,7 @@ void read_relation(const CsvRow& row, RecordBuilder& builder) {
         return;
     }
     const std::string certainty = text::fold_case(row.text("certainty"));
-    const auto certain =
-        certainty == "?" ? model::Certainty::Uncertain : model::certainty_from_word(certainty);
+    const auto certain = certainty == "?" ? model::Certainty::Uncertain : model::certainty_from_word(certainty);
     if (!certainty.empty() && !certain) {
         row.note(certainty, "unparsed",
                  fmt::format("certainty is certain or uncertain, not {}; taken as certain", certainty));
@@ -157,8 +148,7 @@ void read_relation(const CsvRow& row, RecordBuilder& builder) {
     for (const UnitName& other : others_of(row, subject, builder)) {
         StatedRelation* relation = builder.relate(subject, *kind, other, row.place(raw));
         if (relation == nullptr) continue;
-        relation->certainty =
-            doubted ? model::Certainty::Uncertain : certain.value_or(model::Certainty::Certain);
+        relation->certainty = doubted ? model::Certainty::Uncertain : certain.value_or(model::Certainty::Certain);
         relation->person = row.text("person");
         relation->correlation = correlation == "yes" || correlation == "1" || correlation == "true";
         if (text::fold_case(row.text("side")) == "neither") relation->side = StatementSide::Neither;
@@ -308,8 +298,7 @@ std::optional<double> CsvRow::number(std::string_view column) const {
     const std::string value = text(column);
     if (value.empty()) return std::nullopt;
     const auto number = text::parse_double(value);
-    if (!number)
-        note(value, "unparsed", fmt::format("{} is not a number in the column {}; left out", value, column));
+    if (!number) note(value, "unparsed", fmt::format("{} is not a number in the column {}; left out", value, column));
     return number;
 }
 
@@ -318,8 +307,7 @@ std::optional<std::int64_t> CsvRow::integer(std::string_view column) const {
     if (value.empty()) return std::nullopt;
     const auto number = text::parse_integer(value);
     if (number) return static_cast<std::int64_t>(*number);
-    note(value, "unparsed",
-         fmt::format("{} is not a whole number in the column {}; left out", value, column));
+    note(value, "unparsed", fmt::format("{} is not a whole number in the column {}; left out", value, column));
     return std::nullopt;
 }
 
@@ -327,8 +315,7 @@ std::string CsvRow::date(std::string_view column) const {
     const std::string value = text(column);
     if (value.empty()) return {};
     if (const auto date = iso_date(value)) return *date;
-    note(value, "unparsed",
-         fmt::format("{} is not a date in the column {} (2025-06-01); left out", value, column));
+    note(value, "unparsed", fmt::format("{} is not a date in the column {} (2025-06-01); left out", value, column));
     return {};
 }
 
@@ -346,30 +333,18 @@ UnitName CsvRow::unit_near(const UnitName& near, std::string_view text, std::str
 
 void read_csv_row(CsvTable table, const CsvRow& row, RecordBuilder& builder) {
     switch (table) {
-    case CsvTable::Units:
-        return read_unit(row, builder);
-    case CsvTable::Relations:
-        return read_relation(row, builder);
-    case CsvTable::Members:
-        return builder.add_member(row.text("group"), row.unit());
-    case CsvTable::Levels:
-        return read_level(row, builder);
-    case CsvTable::Finds:
-        return read_find(row, builder);
-    case CsvTable::Samples:
-        return read_sample(row, builder);
-    case CsvTable::Documents:
-        return read_document(row, builder);
-    case CsvTable::Datings:
-        return read_dating(row, builder);
-    case CsvTable::Phases:
-        return read_phase(row, builder);
-    case CsvTable::Periods:
-        return read_period(row, builder);
-    case CsvTable::Groups:
-        return read_group(row, builder);
-    case CsvTable::Areas:
-        return read_area(row, builder);
+    case CsvTable::Units: return read_unit(row, builder);
+    case CsvTable::Relations: return read_relation(row, builder);
+    case CsvTable::Members: return builder.add_member(row.text("group"), row.unit());
+    case CsvTable::Levels: return read_level(row, builder);
+    case CsvTable::Finds: return read_find(row, builder);
+    case CsvTable::Samples: return read_sample(row, builder);
+    case CsvTable::Documents: return read_document(row, builder);
+    case CsvTable::Datings: return read_dating(row, builder);
+    case CsvTable::Phases: return read_phase(row, builder);
+    case CsvTable::Periods: return read_period(row, builder);
+    case CsvTable::Groups: return read_group(row, builder);
+    case CsvTable::Areas: return read_area(row, builder);
     }
 }
 

@@ -23,11 +23,9 @@ class CsvRow {
     /// An ISO date; what is none is reported and left out.
     [[nodiscard]] std::string date(std::string_view column) const;
     /// The unit in the columns `unit` and `area`.
-    [[nodiscard]] UnitName unit(std::string_view column = "unit",
-                                std::string_view area_column = "area") const;
+    [[nodiscard]] UnitName unit(std::string_view column = "unit", std::string_view area_column = "area") const;
     /// A unit named without its area is of the same area as `near`.
-    [[nodiscard]] UnitName unit_near(const UnitName& near, std::string_view text,
-                                     std::string_view area) const;
+    [[nodiscard]] UnitName unit_near(const UnitName& near, std::string_view text, std::string_view area) const;
 
     [[nodiscard]] Place place(std::string_view raw_text = {}) const { return {file_, row_->line, raw_text}; }
 

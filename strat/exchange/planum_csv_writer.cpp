@@ -73,21 +73,15 @@ class TableText {
 /// The word from the object's side: `covered_by`, ….
 std::string inverse_word(RelationKind kind) {
     switch (kind) {
-    case RelationKind::Covers:
-        return "covered_by";
-    case RelationKind::Cuts:
-        return "cut_by";
-    case RelationKind::Fills:
-        return "filled_by";
-    case RelationKind::Abuts:
-        return "abutted_by";
-    case RelationKind::Later:
-        return "earlier";
+    case RelationKind::Covers: return "covered_by";
+    case RelationKind::Cuts: return "cut_by";
+    case RelationKind::Fills: return "filled_by";
+    case RelationKind::Abuts: return "abutted_by";
+    case RelationKind::Later: return "earlier";
     case RelationKind::BondsWith:
     case RelationKind::SameAs:
     case RelationKind::Borders:
-    case RelationKind::Contemporary:
-        return std::string{model::to_word(kind)};
+    case RelationKind::Contemporary: return std::string{model::to_word(kind)};
     }
     return {};
 }
@@ -103,28 +97,26 @@ class CsvDocument {
         std::size_t far_parent = 0;
         for (const model::StratigraphicUnit& unit : record_.units) {
             if (unit.origin == model::UnitOrigin::Mentioned) continue; // relations name it
-            Row row = {
-                {"unit", unit.number},
-                {"area", names_.area(unit.area)},
-                {"kind", unit.kind == model::UnitKind::Unknown ? "" : std::string{model::to_word(unit.kind)}},
-                {"form", std::string{model::to_word(unit.form)}},
-                {"status", std::string{model::to_word(unit.status)}},
-                {"title", unit.title},
-                {"description", unit.description},
-                {"interpretation", unit.interpretation},
-                {"excavated_from", unit.excavated_from},
-                {"excavated_on", unit.excavated_on},
-                {"recorded_by", unit.recorded_by},
-                {"recorded_on", unit.recorded_on},
-                {"phase", names_.phase(unit.phase)},
-                {"period", names_.period(unit.period)}};
+            Row row = {{"unit", unit.number},
+                       {"area", names_.area(unit.area)},
+                       {"kind", unit.kind == model::UnitKind::Unknown ? "" : std::string{model::to_word(unit.kind)}},
+                       {"form", std::string{model::to_word(unit.form)}},
+                       {"status", std::string{model::to_word(unit.status)}},
+                       {"title", unit.title},
+                       {"description", unit.description},
+                       {"interpretation", unit.interpretation},
+                       {"excavated_from", unit.excavated_from},
+                       {"excavated_on", unit.excavated_on},
+                       {"recorded_by", unit.recorded_by},
+                       {"recorded_on", unit.recorded_on},
+                       {"phase", names_.phase(unit.phase)},
+                       {"period", names_.period(unit.period)}};
             if (names_.has(unit.parent)) {
                 const model::StratigraphicUnit& parent = names_.unit_at(unit.parent);
                 row["parent"] = parent.area == unit.area ? parent.number : qualified(parent);
                 far_parent += parent.area.is_nil() && !unit.area.is_nil() ? 1U : 0U;
             }
-            for (const auto& [name, value] : unit.details)
-                row[name] = value;
+            for (const auto& [name, value] : unit.details) row[name] = value;
             const auto base = unit.details.find("base");
             numeric_base += base != unit.details.end() && text::parse_double(base->second) ? 1U : 0U;
             table.add(std::move(row));
@@ -151,8 +143,7 @@ class CsvDocument {
                 table.add(relation_row(relation, statement));
             }
         }
-        add_loss(lost_, far_others_,
-                 "relations from an area to a unit without one, which will be read as of it");
+        add_loss(lost_, far_others_, "relations from an area to a unit without one, which will be read as of it");
         add_loss(lost_, lists_,
                  "units without a sheet whose number has a comma or semicolon and will be read as a list");
         return table;
@@ -345,30 +336,18 @@ class CsvDocument {
 
 TableText table_of(CsvTable table, CsvDocument& document) {
     switch (table) {
-    case CsvTable::Units:
-        return document.units();
-    case CsvTable::Relations:
-        return document.relations();
-    case CsvTable::Members:
-        return document.members();
-    case CsvTable::Levels:
-        return document.levels();
-    case CsvTable::Finds:
-        return document.finds();
-    case CsvTable::Samples:
-        return document.samples();
-    case CsvTable::Documents:
-        return document.documents();
-    case CsvTable::Datings:
-        return document.datings();
-    case CsvTable::Phases:
-        return document.phases();
-    case CsvTable::Periods:
-        return document.periods();
-    case CsvTable::Groups:
-        return document.groups();
-    case CsvTable::Areas:
-        return document.areas();
+    case CsvTable::Units: return document.units();
+    case CsvTable::Relations: return document.relations();
+    case CsvTable::Members: return document.members();
+    case CsvTable::Levels: return document.levels();
+    case CsvTable::Finds: return document.finds();
+    case CsvTable::Samples: return document.samples();
+    case CsvTable::Documents: return document.documents();
+    case CsvTable::Datings: return document.datings();
+    case CsvTable::Phases: return document.phases();
+    case CsvTable::Periods: return document.periods();
+    case CsvTable::Groups: return document.groups();
+    case CsvTable::Areas: return document.areas();
     }
     return TableText(table);
 }
@@ -378,11 +357,10 @@ TableText table_of(CsvTable table, CsvDocument& document) {
 Written write_planum_csv(const model::Record& record, const WriteOptions& options) {
     Carries all;
     all.kind = [](const model::StratigraphicUnit&) { return true; };
-    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation =
-        all.details = all.mentioned = all.phases = all.periods = all.chronology_years = all.groups =
-            all.contact_kinds = all.later = all.same_as = all.bonds = all.contemporary = all.borders =
-                all.certainty = all.statements = all.datings = all.levels = all.finds = all.samples =
-                    all.documents = true;
+    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation = all.details =
+        all.mentioned = all.phases = all.periods = all.chronology_years = all.groups = all.contact_kinds = all.later =
+            all.same_as = all.bonds = all.contemporary = all.borders = all.certainty = all.statements = all.datings =
+                all.levels = all.finds = all.samples = all.documents = true;
     Written written;
     written.lost = losses(record, all);
     const RecordNames names(record);

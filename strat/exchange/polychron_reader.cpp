@@ -130,8 +130,8 @@ class PolychronReader {
             if (!above.empty()) builder_.unit(builder_.name(above), place);
             if (!below.empty()) builder_.unit(builder_.name(below), place);
             if (above.empty() || below.empty()) continue;
-            StatedRelation* made =
-                builder_.relate(builder_.name(above), {model::RelationKind::Covers, false}, builder_.name(below), place);
+            StatedRelation* made = builder_.relate(builder_.name(above), {model::RelationKind::Covers, false},
+                                                   builder_.name(below), place);
             if (made != nullptr) made->side = model::StatementSide::Neither;
         }
     }
@@ -247,8 +247,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     PolychronReader reader(options);
     for (const InputFile* file : files) {
         progress.check();

@@ -17,7 +17,7 @@ namespace planum::strat {
 
 namespace {
 
-constexpr std::int64_t kMaxRows = 2'000'000;      // of one table; the largest database seen has 12,000 units
+constexpr std::int64_t kMaxRows = 2'000'000;       // of one table; the largest database seen has 12,000 units
 constexpr std::size_t kMaxTableSize = 512U << 20U; // in memory [bytes]
 
 struct DatabaseTable {
@@ -174,8 +174,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     PyarchinitRows rows(options);
     for (const InputFile* file : files) {
         progress.check();

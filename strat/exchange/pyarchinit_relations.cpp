@@ -14,7 +14,8 @@ namespace planum::strat {
 namespace {
 
 // What stands before the number in words: "Covers US 1001".
-constexpr std::array<std::string_view, 8> kPrefixes = {"us ", "usm ", "usr ", "usv ", "su ", "ue ", "context ", "unit "};
+constexpr std::array<std::string_view, 8> kPrefixes = {"us ", "usm ", "usr ",     "usv ",
+                                                       "su ", "ue ",  "context ", "unit "};
 
 std::string target_number(std::string_view raw, bool& uncertain) {
     std::string_view rest = text::trim(raw);
@@ -87,8 +88,9 @@ void read_item(PyarchinitRelations& out, const PythonValue& item) {
         }
         return;
     }
-    out.problems.push_back({"unknown-relation", raw,
-                            "\"" + std::string(text::trim(item.items.front().text)) + "\" is no relation word known here"});
+    out.problems.push_back(
+        {"unknown-relation", raw,
+         "\"" + std::string(text::trim(item.items.front().text)) + "\" is no relation word known here"});
 }
 
 struct WordAndRest {
@@ -125,7 +127,8 @@ void read_words(PyarchinitRelations& out, std::string_view cell) {
         } else if (last && part.find(' ') == std::string_view::npos) {
             add(out, last->kind, last->word, part, std::string(part));
         } else {
-            out.problems.push_back({"unknown-relation", std::string(part), "no relation word known here at its beginning"});
+            out.problems.push_back(
+                {"unknown-relation", std::string(part), "no relation word known here at its beginning"});
         }
     }
 }
@@ -142,7 +145,8 @@ PyarchinitRelations read_rapporti(std::string_view cell) {
     }
     const auto list = read_python_list(trimmed);
     if (!list) {
-        out.problems.push_back({"unparsed", std::string(trimmed), "the list of relations is damaged; none of them was read"});
+        out.problems.push_back(
+            {"unparsed", std::string(trimmed), "the list of relations is damaged; none of them was read"});
         return out;
     }
     // ['Copre', '13', '1', 'Site']: a single relation without the outer list.

@@ -17,9 +17,9 @@ namespace {
 
 // Nodes that pyArchInit keeps in its table of units for the Extended Matrix: virtual units and the
 // documents, extractors and properties that argue for them. Nobody digs them.
-constexpr std::array<std::string_view, 16> kNotDug = {"usv",  "usva", "usvb", "usvc",      "usvn",     "usvs",
-                                                      "vsf",  "sf",   "con",  "doc",       "property", "extractor",
-                                                      "tu",   "combiner",     "combinar",  "combinator"};
+constexpr std::array<std::string_view, 16> kNotDug = {
+    "usv", "usva", "usvb",     "usvc",      "usvn", "usvs",     "vsf",      "sf",
+    "con", "doc",  "property", "extractor", "tu",   "combiner", "combinar", "combinator"};
 
 // A column that goes to a field of the full record.
 struct DetailColumn {
@@ -57,14 +57,50 @@ constexpr std::array kDetails = {
 };
 
 // Columns read elsewhere, or bookkeeping of the program.
-constexpr std::array<std::string_view, 44> kElsewhere = {
-    "id_us",          "sito",          "area",          "us",           "d_stratigrafica",  "d_interpretativa",
-    "descrizione",    "interpretazione", "periodo_iniziale", "fase_iniziale", "scavato",     "data_schedatura",
-    "schedatore",     "rapporti",      "rapporti2",     "datazione",    "struttura",        "order_layer",
-    "cont_per",       "created_at",    "updated_at",    "quota_max_abs", "quota_min_abs",   "the_geom", "quota_abs",
-    "sync_status",    "version_number", "editing_by",   "editing_since", "entity_uuid",     "last_modified_by",
-    "last_modified_timestamp", "audit_trail", "unita_tipo", "d_stratigrafica_en", "d_interpretativa_en", "gid",
-    "osservazioni_en", "organici", "id", "ogc_fid", "fid", "geom", "uuid"};
+constexpr std::array<std::string_view, 44> kElsewhere = {"id_us",
+                                                         "sito",
+                                                         "area",
+                                                         "us",
+                                                         "d_stratigrafica",
+                                                         "d_interpretativa",
+                                                         "descrizione",
+                                                         "interpretazione",
+                                                         "periodo_iniziale",
+                                                         "fase_iniziale",
+                                                         "scavato",
+                                                         "data_schedatura",
+                                                         "schedatore",
+                                                         "rapporti",
+                                                         "rapporti2",
+                                                         "datazione",
+                                                         "struttura",
+                                                         "order_layer",
+                                                         "cont_per",
+                                                         "created_at",
+                                                         "updated_at",
+                                                         "quota_max_abs",
+                                                         "quota_min_abs",
+                                                         "the_geom",
+                                                         "quota_abs",
+                                                         "sync_status",
+                                                         "version_number",
+                                                         "editing_by",
+                                                         "editing_since",
+                                                         "entity_uuid",
+                                                         "last_modified_by",
+                                                         "last_modified_timestamp",
+                                                         "audit_trail",
+                                                         "unita_tipo",
+                                                         "d_stratigrafica_en",
+                                                         "d_interpretativa_en",
+                                                         "gid",
+                                                         "osservazioni_en",
+                                                         "organici",
+                                                         "id",
+                                                         "ogc_fid",
+                                                         "fid",
+                                                         "geom",
+                                                         "uuid"};
 
 bool is_empty_value(std::string_view value) {
     return value.empty() || value == "[]" || value == "None" || value == "[['']]" || value == "[['', '']]";
@@ -95,7 +131,8 @@ void read_kind(const PyarchinitRow& row, bool is_dug, ImportedUnit& unit) {
 
 std::optional<model::UnitStatus> status_of(std::string_view dug) {
     const std::string word = text::fold_case(dug);
-    if (word == "si" || word == "sì" || word == "yes" || word == "ja" || word == "oui") return model::UnitStatus::Excavated;
+    if (word == "si" || word == "sì" || word == "yes" || word == "ja" || word == "oui")
+        return model::UnitStatus::Excavated;
     if (word == "no" || word == "nein" || word == "non") return model::UnitStatus::NotExcavated;
     if (word.starts_with("parz") || word.starts_with("part")) return model::UnitStatus::PartlyExcavated;
     return std::nullopt;
@@ -106,8 +143,9 @@ void read_details(const PyarchinitRow& row, ImportedUnit& unit) {
         const std::string_view trimmed = text::trim(value);
         const bool elsewhere = std::find(kElsewhere.begin(), kElsewhere.end(), column) != kElsewhere.end();
         if (is_empty_value(trimmed) || elsewhere) continue;
-        const auto* const known = std::find_if(kDetails.begin(), kDetails.end(),
-                                               [&name = column](const DetailColumn& entry) { return entry.column == name; });
+        const auto* const known =
+            std::find_if(kDetails.begin(), kDetails.end(),
+                         [&name = column](const DetailColumn& entry) { return entry.column == name; });
         if (known == kDetails.end()) {
             add_custom_field(unit, column, trimmed);
         } else {
@@ -130,7 +168,8 @@ std::string_view PyarchinitRow::get_any(std::initializer_list<std::string_view> 
     return {};
 }
 
-void PyarchinitRows::note(const PyarchinitRow& row, const Place& place, std::string_view code, std::string_view message) {
+void PyarchinitRows::note(const PyarchinitRow& row, const Place& place, std::string_view code,
+                          std::string_view message) {
     builder_.note(place, code, row.table.empty() ? std::string(message) : fmt::format("{}: {}", row.table, message));
 }
 
@@ -177,11 +216,12 @@ void PyarchinitRows::choose_site() {
         if (name != site_) others += fmt::format("{}{} ({} units)", others.empty() ? "" : ", ", name, count);
     }
     const std::size_t taken = units.contains(site_) ? units.at(site_) : 0;
-    const std::string& file = rows_[PyarchinitTable::Units].empty() ? site_ : rows_[PyarchinitTable::Units].front().file;
+    const std::string& file =
+        rows_[PyarchinitTable::Units].empty() ? site_ : rows_[PyarchinitTable::Units].front().file;
     if (!others.empty() || taken == 0) {
         builder_.note({file, 0, {}}, "several-sites",
-                      fmt::format("site {} with {} units was read; left out: {}; --site takes another or all (*)", site_, taken,
-                                  others.empty() ? "none" : others));
+                      fmt::format("site {} with {} units was read; left out: {}; --site takes another or all (*)",
+                                  site_, taken, others.empty() ? "none" : others));
     }
 }
 
@@ -280,7 +320,7 @@ void PyarchinitRows::read_relations(const PyarchinitRow& row) {
     }
     for (const PyarchinitRelationProblem& problem : cell.problems) {
         note(row, {row.file, row.line, problem.raw}, problem.code,
-                      fmt::format("unit {}: {}", unit.number, problem.message));
+             fmt::format("unit {}: {}", unit.number, problem.message));
     }
     for (const PyarchinitRelation& relation : cell.relations) state(row, unit, relation);
 }
@@ -290,20 +330,20 @@ void PyarchinitRows::state(const PyarchinitRow& row, const UnitName& unit, const
     const std::string_view own_site = row.get("sito");
     if (!relation.site.empty() && !own_site.empty() && relation.site != own_site) {
         note(row, place, "other-site",
-                      fmt::format("unit {}: the relation names unit {} of another site, {}; left out", unit.number,
-                                  relation.target, relation.site));
+             fmt::format("unit {}: the relation names unit {} of another site, {}; left out", unit.number,
+                         relation.target, relation.site));
         return;
     }
     if (builder_.record.project_name.empty() && options_.site != "*") builder_.record.project_name = relation.site;
-    const UnitName target =
-        relation.area.empty() ? builder_.name(unit.area, relation.target) : name_of(row, relation.area, relation.target);
+    const UnitName target = relation.area.empty() ? builder_.name(unit.area, relation.target)
+                                                  : name_of(row, relation.area, relation.target);
     if (relation.symbol && (not_dug_.contains(unit) || not_dug_.contains(target))) {
         // `>` and `>>` tie reconstructions to their sources there; that is no order in the ground.
         add_custom_field(builder_.unit(unit, place), "extended_matrix", relation.raw);
         note(row, place, "extended-matrix-link",
-                      fmt::format("unit {}: a link of the Extended Matrix to a node that is not dug; kept as a note "
-                                  "of the unit, not as a relation",
-                                  unit.number));
+             fmt::format("unit {}: a link of the Extended Matrix to a node that is not dug; kept as a note "
+                         "of the unit, not as a relation",
+                         unit.number));
         return;
     }
     if (StatedRelation* made = builder_.relate(unit, relation.kind, target, place)) {

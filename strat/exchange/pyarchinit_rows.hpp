@@ -23,8 +23,8 @@ enum class PyarchinitTable { Units, Periods, PairsOfUnits, Levels, Finds, Sample
 struct PyarchinitRow {
     std::map<std::string, std::string, std::less<>> fields; ///< names in lower case
     std::string file;
-    std::string table;     ///< of a database; empty in a CSV
-    std::int64_t line = 0; ///< in a database the number of the row
+    std::string table;       ///< of a database; empty in a CSV
+    std::int64_t line = 0;   ///< in a database the number of the row
     std::optional<double> x; ///< of a level's point [m], site grid
     std::optional<double> y;
 
@@ -40,7 +40,9 @@ class PyarchinitRows {
     explicit PyarchinitRows(const ReadOptions& options) : options_(options), builder_(options) {}
 
     void add(PyarchinitTable table, PyarchinitRow row) { rows_[table].push_back(std::move(row)); }
+
     void add_notes(std::vector<ReadNote> notes) { builder_.add_notes(std::move(notes)); }
+
     void note(const Place& place, std::string_view code, std::string message) {
         builder_.note(place, code, std::move(message));
     }
@@ -77,8 +79,8 @@ class PyarchinitRows {
     ReadOptions options_;
     RecordBuilder builder_;
     std::map<PyarchinitTable, std::vector<PyarchinitRow>> rows_;
-    std::string site_;                ///< the one taken; empty: all
-    std::set<UnitName> not_dug_;      ///< nodes of the Extended Matrix that are no units in the ground
+    std::string site_;           ///< the one taken; empty: all
+    std::set<UnitName> not_dug_; ///< nodes of the Extended Matrix that are no units in the ground
     std::set<std::tuple<UnitName, model::RelationKind, UnitName>> stated_;
     std::multimap<std::string, UnitName> by_number_; ///< made when the first pair is read
     std::map<std::string, std::size_t, std::less<>> phase_at_;

@@ -67,8 +67,8 @@ void PyarchinitRows::read_period(const PyarchinitRow& row) {
     auto to = year_from_text(row.get("cron_finale"));
     if (from && to && *to < *from) {
         note(row, place, "swapped-years",
-                      fmt::format("period {} phase {} ends in {} before it begins in {}; taken the other way round",
-                                  period, number, *to, *from));
+             fmt::format("period {} phase {} ends in {} before it begins in {}; taken the other way round", period,
+                         number, *to, *from));
         std::swap(from, to);
     }
     const std::string title(row.get("datazione_estesa"));
@@ -131,7 +131,8 @@ void PyarchinitRows::read_pair(const PyarchinitRow& row) {
     const UnitName object = named(row.get_any({"us_sotto", "us_to"}));
     const bool symbol = word.starts_with('>') || word.starts_with('<');
     if (symbol && (not_dug_.contains(subject) || not_dug_.contains(object))) return; // noted with the sheet
-    const auto triple = kind->inverse ? std::tuple(object, kind->kind, subject) : std::tuple(subject, kind->kind, object);
+    const auto triple =
+        kind->inverse ? std::tuple(object, kind->kind, subject) : std::tuple(subject, kind->kind, object);
     if (stated_.contains(triple)) return; // the table repeats the sheets
     if (StatedRelation* made = builder_.relate(subject, *kind, object, place)) {
         made->side = model::StatementSide::Neither;
@@ -153,8 +154,8 @@ void PyarchinitRows::read_level(const PyarchinitRow& row) {
     const bool metres = unit_word.empty() || unit_word == "m" || unit_word == "mt" || unit_word.starts_with("metr");
     if (!centimetres && !metres) {
         note(row, place, "unknown-measure",
-                      fmt::format("a height of unit {} in \"{}\", which is neither m nor cm; taken as metres",
-                                  name.number, row.get("unita_misu_q")));
+             fmt::format("a height of unit {} in \"{}\", which is neither m nor cm; taken as metres", name.number,
+                         row.get("unita_misu_q")));
     }
     ImportedLevel& level = builder_.record.levels.emplace_back();
     level.unit = name;
@@ -178,7 +179,7 @@ void PyarchinitRows::read_unit_levels(const PyarchinitRow& row, const UnitName& 
         const auto z = finite_number(height);
         if (!z) {
             note(row, {row.file, row.line, height}, "unparsed",
-                          fmt::format("unit {}: {} is no number; left out", name.number, column));
+                 fmt::format("unit {}: {} is no number; left out", name.number, column));
             continue;
         }
         ImportedLevel& level = builder_.record.levels.emplace_back();

@@ -12,9 +12,7 @@ namespace {
 constexpr int kMaxDepth = 16;
 constexpr std::size_t kMaxItems = 100'000; // in all lists together; a sheet has some dozens
 
-bool is_blank(char c) noexcept {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
+bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 int hex_digit(char c) noexcept {
     if (c >= '0' && c <= '9') return c - '0';
@@ -161,8 +159,6 @@ class LiteralReader {
 
 } // namespace
 
-std::optional<PythonValue> read_python_list(std::string_view utf8) {
-    return LiteralReader(utf8).whole();
-}
+std::optional<PythonValue> read_python_list(std::string_view utf8) { return LiteralReader(utf8).whole(); }
 
 } // namespace planum::strat

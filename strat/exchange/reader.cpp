@@ -51,14 +51,13 @@ std::string choice_note(const Candidate& taken, const std::vector<Candidate>& ca
     std::string others;
     for (const Candidate& other : candidates) {
         if (other.reader == taken.reader || !shares_a_file(other.recognition, taken.recognition)) continue;
-        const bool settled = taken.recognition.confidence == Confidence::Certain &&
-                             other.recognition.confidence != Confidence::Certain;
+        const bool settled =
+            taken.recognition.confidence == Confidence::Certain && other.recognition.confidence != Confidence::Certain;
         if (settled) continue;
         others += fmt::format("; could also be read as {} ({})", other.reader->format, other.recognition.why);
     }
     if (others.empty()) return {};
-    return fmt::format("read as {} ({}){}; --format overrules", taken.reader->format, taken.recognition.why,
-                       others);
+    return fmt::format("read as {} ({}){}; --format overrules", taken.reader->format, taken.recognition.why, others);
 }
 
 [[noreturn]] void fail_unknown(const InputFile& file) {
@@ -88,10 +87,9 @@ const Reader& reader_named(std::string_view format) {
 Reading best_reading(std::span<const InputFile> files) {
     const std::vector<Candidate> candidates = ask_all(files);
     if (candidates.empty()) fail_unknown(files.front());
-    const auto best =
-        std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-            return a.recognition.confidence < b.recognition.confidence;
-        });
+    const auto best = std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return a.recognition.confidence < b.recognition.confidence;
+    });
     return {best->reader, best->recognition.files, choice_note(*best, candidates)};
 }
 
@@ -112,16 +110,14 @@ std::vector<Reading> plan_reading(std::span<const InputFile> files, std::string_
     if (files.empty()) return plan;
     if (!format.empty()) {
         Reading reading{&reader_named(format), {}, {}};
-        for (std::size_t i = 0; i < files.size(); ++i)
-            reading.files.push_back(i);
+        for (std::size_t i = 0; i < files.size(); ++i) reading.files.push_back(i);
         plan.push_back(std::move(reading));
         return plan;
     }
     plan.push_back(best_reading(files));
     // Most calls end here. Otherwise what is left is asked about again, alone.
     std::vector<std::size_t> left;
-    for (std::size_t i = 0; i < files.size(); ++i)
-        left.push_back(i);
+    for (std::size_t i = 0; i < files.size(); ++i) left.push_back(i);
     const auto take = [&](const Reading& reading) {
         std::erase_if(left, [&](std::size_t file) {
             return std::find(reading.files.begin(), reading.files.end(), file) != reading.files.end();
@@ -130,11 +126,9 @@ std::vector<Reading> plan_reading(std::span<const InputFile> files, std::string_
     take(plan.back());
     while (!left.empty()) {
         std::vector<InputFile> rest;
-        for (const std::size_t file : left)
-            rest.push_back(files[file]);
+        for (const std::size_t file : left) rest.push_back(files[file]);
         Reading reading = best_reading(rest);
-        for (std::size_t& file : reading.files)
-            file = left[file];
+        for (std::size_t& file : reading.files) file = left[file];
         take(reading);
         plan.push_back(std::move(reading));
     }

@@ -23,8 +23,7 @@ constexpr std::size_t kGlimpse = 1U << 16U;
 std::string shortened(std::string_view text, std::size_t limit) {
     if (text.size() <= limit) return std::string{text};
     std::size_t end = limit;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
-        --end;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
     return std::string{text.substr(0, end)};
 }
 
@@ -33,8 +32,7 @@ std::string shortened(std::string_view text, std::size_t limit) {
 UnitName RecordBuilder::name(std::string_view text) const {
     const std::string_view trimmed = text::trim(text);
     const std::size_t colons = trimmed.find("::");
-    if (colons == std::string_view::npos || colons == 0 || colons + 2 == trimmed.size())
-        return name({}, trimmed);
+    if (colons == std::string_view::npos || colons == 0 || colons + 2 == trimmed.size()) return name({}, trimmed);
     return name(trimmed.substr(0, colons), trimmed.substr(colons + 2));
 }
 
@@ -43,9 +41,7 @@ UnitName RecordBuilder::name(std::string_view area, std::string_view number) con
     return {own.empty() ? area_ : shortened(own, kMaxName), shortened(text::trim(number), kMaxName)};
 }
 
-std::string RecordBuilder::key(const UnitName& name) {
-    return name.area + '\0' + name.number;
-}
+std::string RecordBuilder::key(const UnitName& name) { return name.area + '\0' + name.number; }
 
 ImportedUnit& RecordBuilder::unit(const UnitName& name, const Place& place) {
     const auto [it, is_new] = unit_at_.try_emplace(key(name), record.units.size());
@@ -63,8 +59,7 @@ ImportedUnit& RecordBuilder::unit(const UnitName& name, const Place& place) {
     return record.units[it->second];
 }
 
-void RecordBuilder::fill(std::string& field, std::string_view value, std::string_view what,
-                         const Place& place) {
+void RecordBuilder::fill(std::string& field, std::string_view value, std::string_view what, const Place& place) {
     const std::string_view trimmed = text::trim(value);
     if (trimmed.empty() || field == trimmed) return;
     if (field.empty()) {
@@ -76,8 +71,8 @@ void RecordBuilder::fill(std::string& field, std::string_view value, std::string
                      shortened(field, 60)));
 }
 
-StatedRelation* RecordBuilder::relate(const UnitName& subject, model::DirectedKind kind,
-                                      const UnitName& object, const Place& place) {
+StatedRelation* RecordBuilder::relate(const UnitName& subject, model::DirectedKind kind, const UnitName& object,
+                                      const Place& place) {
     if (subject.number.empty() || object.number.empty()) {
         note(place, "empty-target",
              fmt::format("{} of {} names no other unit; the relation was left out", model::to_word(kind.kind),
@@ -85,8 +80,7 @@ StatedRelation* RecordBuilder::relate(const UnitName& subject, model::DirectedKi
         return nullptr;
     }
     if (record.relations.size() >= kMaxRelations) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{}: more than {} relations", place.file, kMaxRelations));
+        throw Error(ErrorCode::BadInput, fmt::format("{}: more than {} relations", place.file, kMaxRelations));
     }
     StatedRelation relation;
     relation.subject = kind.inverse ? object : subject;
@@ -119,33 +113,28 @@ void RecordBuilder::note(const Place& place, std::string_view code, std::string 
         ++dropped_notes_;
         return;
     }
-    notes.push_back({std::string{place.file}, place.line, std::string{code},
-                     shortened(place.raw_text, kMaxRawText), std::move(message)});
+    notes.push_back({std::string{place.file}, place.line, std::string{code}, shortened(place.raw_text, kMaxRawText),
+                     std::move(message)});
 }
 
 void RecordBuilder::add_notes(std::vector<ReadNote> more) {
-    for (ReadNote& entry : more)
-        notes.push_back(std::move(entry));
+    for (ReadNote& entry : more) notes.push_back(std::move(entry));
 }
 
 Imported<ImportedRecord> RecordBuilder::finish() {
     if (dropped_notes_ > 0) {
-        notes.push_back(
-            {{}, 0, "too-many-notes", {}, fmt::format("{} further notes are not listed", dropped_notes_)});
+        notes.push_back({{}, 0, "too-many-notes", {}, fmt::format("{} further notes are not listed", dropped_notes_)});
     }
     std::set<std::string> periods;
     std::set<std::string> phases;
-    for (const model::Period& period : record.periods)
-        periods.insert(period.number);
-    for (const ImportedPhase& phase : record.phases)
-        phases.insert(phase.values.number);
+    for (const model::Period& period : record.periods) periods.insert(period.number);
+    for (const ImportedPhase& phase : record.phases) phases.insert(phase.values.number);
     const auto add_period = [&](const std::string& number) {
         if (number.empty() || !periods.insert(number).second) return;
         record.periods.emplace_back();
         record.periods.back().number = number;
     };
-    for (const ImportedPhase& phase : record.phases)
-        add_period(phase.period);
+    for (const ImportedPhase& phase : record.phases) add_period(phase.period);
     for (const ImportedUnit& unit : record.units) {
         add_period(unit.period);
         if (unit.phase.empty() || !phases.insert(unit.phase).second) continue;

@@ -94,12 +94,14 @@ class StratifyReader {
         set_kind(unit, get(row, "unittype"));
         unit.period = get(row, "period");
         unit.phase = get(row, "phase");
-        if (const std::string_view where = get(row, "location"); !where.empty()) unit.values.details["position"] = where;
+        if (const std::string_view where = get(row, "location"); !where.empty())
+            unit.values.details["position"] = where;
         if (const std::string_view how = get(row, "conditions"); !how.empty()) unit.values.details["conditions"] = how;
         for (const std::string& column : header_.names()) {
             const bool elsewhere = std::find(kElsewhere.begin(), kElsewhere.end(), column) != kElsewhere.end() ||
                                    column == "period" || column == "location" || column == "conditions";
-            const bool is_list = std::any_of(kLists.begin(), kLists.end(), [&](const auto& l) { return l.name == column; });
+            const bool is_list =
+                std::any_of(kLists.begin(), kLists.end(), [&](const auto& l) { return l.name == column; });
             if (!elsewhere && !is_list && !column.empty()) add_custom_field(unit, column, get(row, column));
         }
         for (const std::string& group : split_list(get(row, "part_of"), ListSeparator::Comma)) {
@@ -131,8 +133,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -142,7 +143,8 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
         const TableHeader header(table.rows.empty() ? TableRow{} : table.rows.front());
         if (!is_stratify(header)) {
             throw Error(ErrorCode::BadInput,
-                        file->name + ": the first line has no columns Unitname, Earlier than and Later than of Stratify");
+                        file->name +
+                            ": the first line has no columns Unitname, Earlier than and Later than of Stratify");
         }
         table.rows.erase(table.rows.begin());
         StratifyReader(builder, *file, header).read(table.rows);

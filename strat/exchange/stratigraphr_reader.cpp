@@ -43,7 +43,8 @@ void read_fields(const TableRow& row, const TableHeader& header, ImportedUnit& u
     unit.phase = value(row, header, "phase");
     for (const std::string& column : header.names()) {
         const bool elsewhere = std::find(kElsewhere.begin(), kElsewhere.end(), column) != kElsewhere.end();
-        if (!elsewhere && !is_list(column) && !column.empty()) add_custom_field(unit, column, value(row, header, column));
+        if (!elsewhere && !is_list(column) && !column.empty())
+            add_custom_field(unit, column, value(row, header, column));
     }
 }
 
@@ -84,8 +85,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return out;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -95,7 +95,8 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
         const TableHeader header(table.rows.empty() ? TableRow{} : table.rows.front());
         if (!header.has("context") || !(header.has("above") || header.has("below"))) {
             throw Error(ErrorCode::BadInput,
-                        file->name + ": the first line has no columns context, above and below of a stratigraphr table");
+                        file->name +
+                            ": the first line has no columns context, above and below of a stratigraphr table");
         }
         for (std::size_t i = 1; i < table.rows.size(); ++i) read_row(table.rows[i], header, file->name, builder);
     }

@@ -65,8 +65,7 @@ std::optional<Sentence> parse_sentence(std::string_view text) {
 model::KindAndForm kind_of(std::string_view definition) {
     const std::string folded = text::fold_case(definition);
     for (std::size_t end = folded.size(); end > 0;) {
-        if (const auto kind = model::kind_from_any_word(std::string_view{folded}.substr(0, end)))
-            return *kind;
+        if (const auto kind = model::kind_from_any_word(std::string_view{folded}.substr(0, end))) return *kind;
         const std::size_t blank = folded.find_last_of(" (", end - 1);
         if (blank == std::string::npos) break;
         end = blank;
@@ -82,8 +81,7 @@ class Transcription {
         : table_(table), header_(table.rows.front()), file_(file), builder_(builder) {}
 
     void read() {
-        for (std::size_t i = 1; i < table_.rows.size(); ++i)
-            read_row(table_.rows[i]);
+        for (std::size_t i = 1; i < table_.rows.size(); ++i) read_row(table_.rows[i]);
     }
 
   private:
@@ -116,8 +114,7 @@ class Transcription {
             add_relation(text::trim(sentence), name, place);
         }
         const std::string equals = value(row, "equals");
-        for (const std::string_view other : text::split(equals, '|'))
-            add_equal(text::trim(other), name, place);
+        for (const std::string_view other : text::split(equals, '|')) add_equal(text::trim(other), name, place);
     }
 
     void add_custom(ImportedUnit& unit, const TableRow& row) {
@@ -143,14 +140,12 @@ class Transcription {
         unit.period = phase.substr(0, phase.find('|'));
     }
 
-    void add_level(const TableRow& row, const UnitName& name, std::string_view column,
-                   model::LevelRole role) {
+    void add_level(const TableRow& row, const UnitName& name, std::string_view column, model::LevelRole role) {
         const std::string text = value(row, column);
         if (text.empty()) return;
         const auto centimetres = text::parse_double(text);
         if (!centimetres) {
-            builder_.note({file_, row.line, text}, "unparsed",
-                          fmt::format("{} is no height in cm; left out", text));
+            builder_.note({file_, row.line, text}, "unparsed", fmt::format("{} is no height in cm; left out", text));
             return;
         }
         ImportedLevel level;
@@ -165,8 +160,7 @@ class Transcription {
         const Place place{at.file, at.line, text};
         const auto sentence = parse_sentence(text);
         if (!sentence) {
-            builder_.note(place, "unknown-relation",
-                          "no sentence `f1 covers f2` with a known verb; left out");
+            builder_.note(place, "unknown-relation", "no sentence `f1 covers f2` with a known verb; left out");
             return;
         }
         const UnitName subject = builder_.name(sheet.area, sentence->subject);
@@ -192,14 +186,12 @@ class Transcription {
                                               [](char c) { return c >= '0' && c <= '9'; });
             if (!numbered) continue;
             const std::string_view book = word.substr(0, f);
-            others.push_back(
-                builder_.name(book.empty() ? std::string_view{sheet.area} : book, word.substr(f)));
+            others.push_back(builder_.name(book.empty() ? std::string_view{sheet.area} : book, word.substr(f)));
         }
         if (others.empty()) {
             builder_.note(place, "unparsed", "no feature number found in `equals`; left out");
         }
-        for (const UnitName& other : others)
-            builder_.relate(sheet, {RelationKind::SameAs, false}, other, place);
+        for (const UnitName& other : others) builder_.relate(sheet, {RelationKind::SameAs, false}, other, place);
     }
 
     const DelimitedTable& table_;
@@ -225,8 +217,7 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options,
-                              Progress& progress) {
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
     RecordBuilder builder(options);
     for (const InputFile* file : files) {
         progress.check();
@@ -245,8 +236,8 @@ Imported<ImportedRecord> read(std::span<const InputFile* const> files, const Rea
 } // namespace
 
 const Reader& urkesh_reader() {
-    static const Reader reader{"urkesh", "Transcription of excavation books (book, feature, relations)",
-                               recognise, read};
+    static const Reader reader{"urkesh", "Transcription of excavation books (book, feature, relations)", recognise,
+                               read};
     return reader;
 }
 

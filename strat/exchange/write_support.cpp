@@ -44,27 +44,22 @@ void add_unit_losses(const model::Record& record, const Carries& carries, std::v
         [](const StratigraphicUnit& u) { return !u.description.empty(); });
     add(carries.interpretation, "interpretations not written",
         [](const StratigraphicUnit& u) { return !u.interpretation.empty(); });
-    add(carries.excavation, "units without their days, recorder or parent",
-        [](const StratigraphicUnit& u) {
-            return !u.excavated_from.empty() || !u.excavated_on.empty() || !u.recorded_by.empty() ||
-                   !u.recorded_on.empty() || !u.parent.is_nil();
-        });
+    add(carries.excavation, "units without their days, recorder or parent", [](const StratigraphicUnit& u) {
+        return !u.excavated_from.empty() || !u.excavated_on.empty() || !u.recorded_by.empty() ||
+               !u.recorded_on.empty() || !u.parent.is_nil();
+    });
     add(carries.details, "units without their further fields",
         [](const StratigraphicUnit& u) { return !u.details.empty(); });
-    add(carries.phases, "units without their phase",
-        [](const StratigraphicUnit& u) { return !u.phase.is_nil(); });
-    add(carries.periods, "units without their period",
-        [](const StratigraphicUnit& u) { return !u.period.is_nil(); });
+    add(carries.phases, "units without their phase", [](const StratigraphicUnit& u) { return !u.phase.is_nil(); });
+    add(carries.periods, "units without their period", [](const StratigraphicUnit& u) { return !u.period.is_nil(); });
 }
 
-void add_relation_losses(const model::Record& record, const Carries& carries,
-                         std::vector<std::string>& lost) {
+void add_relation_losses(const model::Record& record, const Carries& carries, std::vector<std::string>& lost) {
     const auto of_kind = [&](RelationKind kind) {
         return count(record.relations, [&](const auto& r) { return r.kind == kind; });
     };
     if (!carries.contact_kinds) {
-        add_loss(lost,
-                 of_kind(RelationKind::Cuts) + of_kind(RelationKind::Fills) + of_kind(RelationKind::Abuts),
+        add_loss(lost, of_kind(RelationKind::Cuts) + of_kind(RelationKind::Fills) + of_kind(RelationKind::Abuts),
                  "relations cuts, fills and abuts written as above");
     }
     if (!carries.later) add_loss(lost, of_kind(RelationKind::Later), "relations later written as above");
@@ -79,10 +74,8 @@ void add_relation_losses(const model::Record& record, const Carries& carries,
     }
     if (!carries.borders) add_loss(lost, of_kind(RelationKind::Borders), "relations borders not written");
     if (!carries.certainty) {
-        add_loss(
-            lost,
-            count(record.relations, [](const auto& r) { return r.certainty != model::Certainty::Certain; }),
-            "relations not marked as uncertain");
+        add_loss(lost, count(record.relations, [](const auto& r) { return r.certainty != model::Certainty::Certain; }),
+                 "relations not marked as uncertain");
         add_loss(lost, count(record.relations, [](const auto& r) { return r.correlation; }),
                  "relations same_as not marked as correlations");
     }
@@ -95,44 +88,29 @@ void add_relation_losses(const model::Record& record, const Carries& carries,
 } // namespace
 
 RecordNames::RecordNames(const model::Record& record) : record_(&record), index_(record) {
-    for (const model::Period& period : record.periods)
-        periods_.emplace(period.id, period.number);
+    for (const model::Period& period : record.periods) periods_.emplace(period.id, period.number);
     std::map<std::string, std::size_t> uses;
-    for (const model::Phase& phase : record.phases)
-        ++uses[phase.number];
+    for (const model::Phase& phase : record.phases) ++uses[phase.number];
     for (const model::Phase& phase : record.phases) {
         const std::string period = find_in(periods_, phase.period);
         const bool plain = uses[phase.number] < 2 || period.empty();
         phases_.emplace(phase.id, plain ? phase.number : period + "." + phase.number);
         period_of_phase_.emplace(phase.id, phase.period);
     }
-    for (const model::UnitGroup& group : record.groups)
-        groups_.emplace(group.id, group.number);
-    for (const model::Area& area : record.areas)
-        areas_.emplace(area.id, area.name);
-    for (const model::Find& find : record.finds)
-        finds_.emplace(find.id, find.number);
+    for (const model::UnitGroup& group : record.groups) groups_.emplace(group.id, group.number);
+    for (const model::Area& area : record.areas) areas_.emplace(area.id, area.name);
+    for (const model::Find& find : record.finds) finds_.emplace(find.id, find.number);
 }
 
-std::string RecordNames::phase(model::PhaseId id) const {
-    return find_in(phases_, id);
-}
+std::string RecordNames::phase(model::PhaseId id) const { return find_in(phases_, id); }
 
-std::string RecordNames::period(model::PeriodId id) const {
-    return find_in(periods_, id);
-}
+std::string RecordNames::period(model::PeriodId id) const { return find_in(periods_, id); }
 
-std::string RecordNames::group(model::GroupId id) const {
-    return find_in(groups_, id);
-}
+std::string RecordNames::group(model::GroupId id) const { return find_in(groups_, id); }
 
-std::string RecordNames::area(model::AreaId id) const {
-    return find_in(areas_, id);
-}
+std::string RecordNames::area(model::AreaId id) const { return find_in(areas_, id); }
 
-std::string RecordNames::find(model::FindId id) const {
-    return find_in(finds_, id);
-}
+std::string RecordNames::find(model::FindId id) const { return find_in(finds_, id); }
 
 model::PeriodId RecordNames::period_of(model::PhaseId id) const {
     const auto it = period_of_phase_.find(id);

@@ -32,27 +32,23 @@ std::int64_t line_at(const std::vector<std::size_t>& line_ends, std::size_t offs
 } // namespace
 
 XmlInput::XmlInput(std::string_view bytes, std::string_view file_name, std::string_view what) {
-    if (text::trim(bytes).empty())
-        throw Error(ErrorCode::BadInput, fmt::format("{}: the file is empty", file_name));
+    if (text::trim(bytes).empty()) throw Error(ErrorCode::BadInput, fmt::format("{}: the file is empty", file_name));
     if (!is_probably_text(bytes)) {
         throw Error(ErrorCode::BadInput, fmt::format("{}: binary, not {}", file_name, what));
     }
     DecodedText decoded = decode_text(bytes, file_name);
     notes_ = std::move(decoded.notes);
     if (std::count(decoded.text.begin(), decoded.text.end(), '<') > kMaxElements) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{}: more than {} XML elements", file_name, kMaxElements));
+        throw Error(ErrorCode::BadInput, fmt::format("{}: more than {} XML elements", file_name, kMaxElements));
     }
     line_ends_ = offsets_of_line_feeds(decoded.text);
     // The text is UTF-8 by now, whatever its declaration says.
-    const pugi::xml_parse_result result =
-        document_.load_buffer(decoded.text.data(), decoded.text.size(),
-                              pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+    const pugi::xml_parse_result result = document_.load_buffer(
+        decoded.text.data(), decoded.text.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
     for (const pugi::xml_node node : document_.children()) {
         if (node.type() != pugi::node_doctype) continue;
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("{}: line {}: a DOCTYPE is not accepted; remove it from the file", file_name,
-                                line_of(node)));
+        throw Error(ErrorCode::BadInput, fmt::format("{}: line {}: a DOCTYPE is not accepted; remove it from the file",
+                                                     file_name, line_of(node)));
     }
     if (!result) {
         const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));

@@ -49,10 +49,9 @@ std::string read_member(archive* a, std::string_view file, std::string_view memb
         if (count == 0) return content;
         content.append(buffer.data(), static_cast<std::size_t>(count));
         if (content.size() > limit) {
-            fail(file,
-                 fmt::format("{} in the archive unpacks to more than {} bytes, which no project of that size "
-                             "does",
-                             member, limit));
+            fail(file, fmt::format("{} in the archive unpacks to more than {} bytes, which no project of that size "
+                                   "does",
+                                   member, limit));
         }
     }
 }
@@ -64,9 +63,7 @@ la_ssize_t append_bytes(archive* /*a*/, void* target, const void* bytes, size_t 
 
 } // namespace
 
-bool is_zip(std::string_view bytes) noexcept {
-    return bytes.starts_with(std::string_view{"PK\x03\x04", 4});
-}
+bool is_zip(std::string_view bytes) noexcept { return bytes.starts_with(std::string_view{"PK\x03\x04", 4}); }
 
 std::map<std::string, std::string> read_zip(std::string_view bytes, std::string_view file_name,
                                             std::span<const std::string_view> wanted, std::size_t limit) {
@@ -79,8 +76,7 @@ std::map<std::string, std::string> read_zip(std::string_view bytes, std::string_
     std::map<std::string, std::string> members;
     archive_entry* entry = nullptr;
     for (std::size_t count = 0;; ++count) {
-        if (count > kMaxMembers)
-            fail(file_name, fmt::format("more than {} files in the archive", kMaxMembers));
+        if (count > kMaxMembers) fail(file_name, fmt::format("more than {} files in the archive", kMaxMembers));
         const int state = archive_read_next_header(reader.get(), &entry);
         if (state == ARCHIVE_EOF) return members;
         if (state != ARCHIVE_OK && state != ARCHIVE_WARN) {
@@ -88,8 +84,7 @@ std::map<std::string, std::string> read_zip(std::string_view bytes, std::string_
         }
         const char* path = archive_entry_pathname(entry);
         const std::string_view full = path == nullptr ? std::string_view{} : std::string_view{path};
-        const std::string name{
-            full.substr(full.rfind('/') == std::string_view::npos ? 0 : full.rfind('/') + 1)};
+        const std::string name{full.substr(full.rfind('/') == std::string_view::npos ? 0 : full.rfind('/') + 1)};
         if (std::find(wanted.begin(), wanted.end(), name) == wanted.end() || members.contains(name)) continue;
         members.emplace(name, read_member(reader.get(), file_name, name, cap));
     }

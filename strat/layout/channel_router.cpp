@@ -45,9 +45,7 @@ std::int64_t crossings(const Bar& upper, const Bar& lower) {
     return ends_within(upper.bottoms, lower) + ends_within(lower.tops, upper);
 }
 
-bool share_columns(const Bar& a, const Bar& b) {
-    return a.low < b.high + kTouching && b.low < a.high + kTouching;
-}
+bool share_columns(const Bar& a, const Bar& b) { return a.low < b.high + kTouching && b.low < a.high + kTouching; }
 
 class Channel {
   public:
@@ -79,6 +77,7 @@ class Channel {
             double x;
             std::uint32_t bar;
         };
+
         std::vector<End> tops;
         std::vector<End> bottoms;
         for (std::uint32_t b = 0; b < bars_.size(); ++b) {
@@ -175,7 +174,8 @@ class Channel {
         };
         std::vector<double> urgency(bars_.size());
         for (std::size_t b = 0; b < bars_.size(); ++b) {
-            const bool rightwards = !bars_[b].tops.empty() && !bars_[b].bottoms.empty() && mean(bars_[b].bottoms) > mean(bars_[b].tops);
+            const bool rightwards =
+                !bars_[b].tops.empty() && !bars_[b].bottoms.empty() && mean(bars_[b].bottoms) > mean(bars_[b].tops);
             urgency[b] = rightwards ? -bars_[b].low : bars_[b].high;
         }
         std::vector<std::uint32_t> waiting(bars_.size(), 0);
@@ -279,8 +279,6 @@ class Channel {
 
 } // namespace
 
-ChannelRoute route_channel(const std::vector<Wire>& wires) {
-    return Channel(wires).route();
-}
+ChannelRoute route_channel(const std::vector<Wire>& wires) { return Channel(wires).route(); }
 
 } // namespace planum::strat

@@ -17,10 +17,12 @@ struct Wire {
 /// to be above the next gets two horizontals, joined by a vertical at `knee`.
 struct WireRoute {
     std::int32_t track = -1; ///< from the top; −1: the wire is one straight vertical
+
     struct Knee {
         double x = 0.0;
         std::int32_t track = 0; ///< of the second horizontal, below the first
     };
+
     std::optional<Knee> knee;
 };
 

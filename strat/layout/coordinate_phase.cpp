@@ -113,7 +113,8 @@ class Placer {
         for (std::size_t l = 0; l < g_.layers.size(); ++l) {
             for (const std::uint32_t v : g_.layers[l]) {
                 const std::uint32_t above = line_above(v);
-                if (above != kNone && x[above] == x[v] && down_.row(above).size() == 1) continue; // in the run of `above`
+                if (above != kNone && x[above] == x[v] && down_.row(above).size() == 1)
+                    continue; // in the run of `above`
                 runs.push_back({v});
                 for (std::uint32_t w = v; extents_[w].is_line && down_.row(w).size() == 1;) {
                     const std::uint32_t below = down_.row(w)[0];
@@ -132,7 +133,8 @@ class Placer {
     };
 
     // An end that has one partner only, which has no other, can become straight.
-    void add_pulls(const std::vector<std::uint32_t>& block, const std::vector<double>& x, std::vector<Pull>& pulls) const {
+    void add_pulls(const std::vector<std::uint32_t>& block, const std::vector<double>& x,
+                   std::vector<Pull>& pulls) const {
         constexpr double kStraight = 3.0;
         const auto add = [&](std::uint32_t v, const Adjacency& side, const Adjacency& back) {
             for (const std::uint32_t w : side.row(v)) {
@@ -190,8 +192,7 @@ class Placer {
 
     Adjacency sorted_neighbours(bool upwards) const {
         Adjacency a = Adjacency::make(
-            g_.nodes, g_.edges.size(),
-            [&](std::size_t i) { return upwards ? g_.edges[i].second : g_.edges[i].first; },
+            g_.nodes, g_.edges.size(), [&](std::size_t i) { return upwards ? g_.edges[i].second : g_.edges[i].first; },
             [&](std::size_t i) { return upwards ? g_.edges[i].first : g_.edges[i].second; });
         for (std::uint32_t v = 0; v < g_.nodes; ++v) {
             std::sort(a.values.begin() + a.begin[v], a.values.begin() + a.begin[v + 1],
@@ -222,11 +223,13 @@ class Placer {
             for (std::size_t i = 0; i < lower.size(); ++i) {
                 const std::uint32_t inner = line_above(lower[i]);
                 if (i + 1 != lower.size() && inner == kNone) continue;
-                const std::uint32_t right = inner == kNone ? static_cast<std::uint32_t>(g_.layers[l].size()) : position_[inner];
+                const std::uint32_t right =
+                    inner == kNone ? static_cast<std::uint32_t>(g_.layers[l].size()) : position_[inner];
                 for (; scanned <= i; ++scanned) {
                     for (const std::uint32_t u : up_.row(lower[scanned])) {
                         const bool is_inner = extents_[u].is_line && extents_[lower[scanned]].is_line;
-                        if ((position_[u] < left || position_[u] > right) && !is_inner) conflicts_.insert(key(u, lower[scanned]));
+                        if ((position_[u] < left || position_[u] > right) && !is_inner)
+                            conflicts_.insert(key(u, lower[scanned]));
                     }
                 }
                 left = right;

@@ -10,9 +10,9 @@ namespace planum::strat {
 
 /// What the third phase must know of a node beside its edges.
 struct NodeExtent {
-    double width = 0.0;    ///< [pt]
-    double gap = 0.0;      ///< to its neighbours: the smaller of the two counts [pt]
-    bool is_line = false;  ///< a line passing the level, which should run straight
+    double width = 0.0;   ///< [pt]
+    double gap = 0.0;     ///< to its neighbours: the smaller of the two counts [pt]
+    bool is_line = false; ///< a line passing the level, which should run straight
 };
 
 /// Third phase: x of each node's centre [pt], neighbours at least their gaps apart, lines straight and

@@ -74,8 +74,11 @@ std::string write_dot(const DrawnGraph& graph) {
         fmt::format_to(to, "  {{ rank=same; {}; {}; }}\n", names[pair.later], names[pair.earlier]);
     }
     for (const GraphOrder& order : graph.orders) {
-        fmt::format_to(to, "  {} -> {} [id={}{}{}];\n", names[order.later], names[order.earlier], dot_quoted(order.line.id),
-                       order.line.uncertain ? ", style=dashed" : order.line.through ? ", style=dotted" : "",
+        fmt::format_to(to, "  {} -> {} [id={}{}{}];\n", names[order.later], names[order.earlier],
+                       dot_quoted(order.line.id),
+                       order.line.uncertain ? ", style=dashed"
+                       : order.line.through ? ", style=dotted"
+                                            : "",
                        order.line.in_cycle ? ", color=red" : "");
     }
     out += "}\n";

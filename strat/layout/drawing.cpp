@@ -31,13 +31,9 @@ std::vector<DrawPoint> chamfered(const DrawRect& r, double top, double bottom) {
     return p;
 }
 
-std::vector<DrawPoint> upright(double x, const DrawRect& r) {
-    return {{x, r.y}, {x, r.bottom()}};
-}
+std::vector<DrawPoint> upright(double x, const DrawRect& r) { return {{x, r.y}, {x, r.bottom()}}; }
 
-std::vector<DrawPoint> level(double y, const DrawRect& r) {
-    return {{r.x, y}, {r.right(), y}};
-}
+std::vector<DrawPoint> level(double y, const DrawRect& r) { return {{r.x, y}, {r.right(), y}}; }
 
 } // namespace
 
@@ -48,8 +44,7 @@ BoxOutline outline_of(const DrawnBox& box) {
     BoxOutline outline;
     outline.polygon = rectangle(r);
     switch (box.shape) {
-    case BoxShape::Deposit:
-        break;
+    case BoxShape::Deposit: break;
     case BoxShape::Cut: // narrows downwards, as a pit does
         outline.polygon = chamfered(r, 0.0, kCorner);
         break;
@@ -57,30 +52,26 @@ BoxOutline outline_of(const DrawnBox& box) {
         outline.strokes = {upright(r.x + kDouble, r), upright(r.right() - kDouble, r)};
         outline.stroke_width = 1.2;
         break;
-    case BoxShape::Interface:
-        outline.polygon = chamfered(r, kCorner, kCorner);
-        break;
+    case BoxShape::Interface: outline.polygon = chamfered(r, kCorner, kCorner); break;
     case BoxShape::Feature: // several units under one number
         outline.strokes = {level(r.y + kDouble, r), level(r.bottom() - kDouble, r)};
         break;
-    case BoxShape::Skeleton:
-        outline.polygon = chamfered(r, kCorner, 0.0);
-        break;
+    case BoxShape::Skeleton: outline.polygon = chamfered(r, kCorner, 0.0); break;
     case BoxShape::Natural: // the ground itself
         outline.strokes = {level(r.bottom() - kDouble, r)};
         outline.stroke_width = 1.4;
         break;
-    case BoxShape::Void:
-        outline.strokes = {{{r.x, r.bottom()}, {r.right(), r.y}}};
-        break;
-    case BoxShape::Unknown:
-        outline.dashed = box.mentioned_only;
-        break;
+    case BoxShape::Void: outline.strokes = {{{r.x, r.bottom()}, {r.right(), r.y}}}; break;
+    case BoxShape::Unknown: outline.dashed = box.mentioned_only; break;
     case BoxShape::Folded: // a stack of sheets
-        outline.strokes = {{{r.x + kDouble, r.y}, {r.x + kDouble, r.y + kDouble}, {r.right() - kDouble, r.y + kDouble},
+        outline.strokes = {{{r.x + kDouble, r.y},
+                            {r.x + kDouble, r.y + kDouble},
+                            {r.right() - kDouble, r.y + kDouble},
                             {r.right() - kDouble, r.y}},
-                           {{r.x + kDouble, r.bottom()}, {r.x + kDouble, r.bottom() - kDouble},
-                            {r.right() - kDouble, r.bottom() - kDouble}, {r.right() - kDouble, r.bottom()}}};
+                           {{r.x + kDouble, r.bottom()},
+                            {r.x + kDouble, r.bottom() - kDouble},
+                            {r.right() - kDouble, r.bottom() - kDouble},
+                            {r.right() - kDouble, r.bottom()}}};
         break;
     }
     return outline;
@@ -93,7 +84,8 @@ std::vector<AxisStroke> joined_strokes(std::vector<AxisStroke> strokes, double t
         std::size_t last = first + 1;
         while (last < strokes.size() && strokes[last].at - strokes[last - 1].at < tolerance) ++last;
         const double at = strokes[first].at;
-        std::sort(strokes.begin() + static_cast<std::ptrdiff_t>(first), strokes.begin() + static_cast<std::ptrdiff_t>(last),
+        std::sort(strokes.begin() + static_cast<std::ptrdiff_t>(first),
+                  strokes.begin() + static_cast<std::ptrdiff_t>(last),
                   [](const AxisStroke& a, const AxisStroke& b) { return a.low < b.low; });
         const std::size_t line = out.size();
         for (; first < last; ++first) {

@@ -29,7 +29,9 @@ struct DrawRect {
     double height = 0.0;
 
     [[nodiscard]] double right() const noexcept { return x + width; }
+
     [[nodiscard]] double bottom() const noexcept { return y + height; }
+
     [[nodiscard]] DrawPoint centre() const noexcept { return {x + width / 2.0, y + height / 2.0}; }
 
     friend bool operator==(const DrawRect&, const DrawRect&) = default;
@@ -49,8 +51,8 @@ struct DrawnBox {
     std::vector<std::string> names;  ///< of the units, as texts call them
     std::vector<std::string> lines;  ///< the label, line by line, drawn centred
     std::vector<double> line_widths; ///< of each line [pt], as measured
-    std::string title;              ///< a sentence for tool tips and screen readers
-    std::string link;               ///< empty: none
+    std::string title;               ///< a sentence for tool tips and screen readers
+    std::string link;                ///< empty: none
     BoxShape shape = BoxShape::Unknown;
     DrawRect rect;
     double text_size = 9.0; ///< [pt]
@@ -65,7 +67,7 @@ struct DrawnBox {
 /// different orders may share segments only where all boxes that the shared net touches from above are
 /// later than all that it touches from below (see read_back).
 struct DrawnLine {
-    std::string id; ///< `order-1042-1017`
+    std::string id;        ///< `order-1042-1017`
     std::size_t later = 0; ///< position in MatrixDrawing::boxes
     std::size_t earlier = 0;
     std::vector<DrawPoint> points;

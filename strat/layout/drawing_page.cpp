@@ -205,7 +205,8 @@ class PageMaker {
         for (const Mark mark : {Mark::Added, Mark::Removed, Mark::Changed, Mark::Problem}) {
             sample = {};
             sample.box.mark = mark;
-            if (any([&](const DrawnBox& b) { return b.mark == mark; })) legend_entry(sample, std::string(to_word(mark)), pen);
+            if (any([&](const DrawnBox& b) { return b.mark == mark; }))
+                legend_entry(sample, std::string(to_word(mark)), pen);
         }
     }
 
@@ -263,7 +264,7 @@ class PageMaker {
     MatrixDrawing& drawing_;
     const DrawnGraph& graph_;
     const TextMeasure& text_;
-    double right_ = 0.0;  // of everything placed so far [pt]
+    double right_ = 0.0; // of everything placed so far [pt]
     double bottom_ = 0.0;
 };
 

@@ -7,18 +7,18 @@ namespace planum::strat::style {
 // hundred units reads on A3 and one of some dozen on A4.
 inline constexpr double kTextSize = 9.0;
 inline constexpr double kSmallText = 7.0;
-inline constexpr double kLineHeight = 11.0;  ///< from one label line to the next
-inline constexpr double kBoxHeight = 20.0;   ///< of a one-line box
+inline constexpr double kLineHeight = 11.0; ///< from one label line to the next
+inline constexpr double kBoxHeight = 20.0;  ///< of a one-line box
 inline constexpr double kBoxMinWidth = 38.0;
 inline constexpr double kBoxMaxLabel = 150.0; ///< wider labels break
-inline constexpr double kBoxPadding = 8.0;   ///< left and right of the label
-inline constexpr double kBoxGap = 16.0;      ///< between neighbouring boxes of a level
-inline constexpr double kLineGap = 8.0;      ///< between a line and anything beside it in a level
-inline constexpr double kPortGap = 7.0;      ///< between two lines at one side of a box
-inline constexpr double kPortMargin = 6.5;   ///< from the corner of a box to its first line
-inline constexpr double kTrackGap = 7.0;     ///< between two horizontal lines
+inline constexpr double kBoxPadding = 8.0;    ///< left and right of the label
+inline constexpr double kBoxGap = 16.0;       ///< between neighbouring boxes of a level
+inline constexpr double kLineGap = 8.0;       ///< between a line and anything beside it in a level
+inline constexpr double kPortGap = 7.0;       ///< between two lines at one side of a box
+inline constexpr double kPortMargin = 6.5;    ///< from the corner of a box to its first line
+inline constexpr double kTrackGap = 7.0;      ///< between two horizontal lines
 inline constexpr double kChannelMargin = 9.0; ///< from a box to the first horizontal line
-inline constexpr double kChannelMin = 20.0;  ///< least height between two levels
+inline constexpr double kChannelMin = 20.0;   ///< least height between two levels
 inline constexpr double kComponentGap = 34.0; ///< between parts of the matrix that no line joins
 inline constexpr double kPageMargin = 36.0;
 inline constexpr double kTitleSize = 16.0;

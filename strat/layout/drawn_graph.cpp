@@ -36,7 +36,7 @@ BoxShape shape_of(const model::StratigraphicUnit& unit) {
 }
 
 bool names_topsoil(const model::StratigraphicUnit& unit) {
-    constexpr std::array<std::string_view, 8> kWords = {"topsoil",   "turf",       "oberboden", "mutterboden",
+    constexpr std::array<std::string_view, 8> kWords = {"topsoil",    "turf",      "oberboden",      "mutterboden",
                                                         "ackerkrume", "humus sup", "terre végétale", "plough soil"};
     const std::string title = text::fold_case(unit.title);
     return std::any_of(kWords.begin(), kWords.end(),
@@ -164,9 +164,18 @@ class GraphMaker {
         std::string title;
         switch (request_.options.fold) {
         case Fold::None: break;
-        case Fold::Phases: number = record_.phases[key].number; title = record_.phases[key].title; break;
-        case Fold::Periods: number = record_.periods[key].number; title = record_.periods[key].title; break;
-        case Fold::Groups: number = record_.groups[key].number; title = record_.groups[key].title; break;
+        case Fold::Phases:
+            number = record_.phases[key].number;
+            title = record_.phases[key].title;
+            break;
+        case Fold::Periods:
+            number = record_.periods[key].number;
+            title = record_.periods[key].title;
+            break;
+        case Fold::Groups:
+            number = record_.groups[key].number;
+            title = record_.groups[key].title;
+            break;
         }
         box.shape = BoxShape::Folded;
         box.mentioned_only = false;
@@ -264,7 +273,7 @@ class GraphMaker {
     }
 
     // Most boxes have one, they are few enough to structure the page, and their order in time is known.
-    template <class Values>
+    template<class Values>
     [[nodiscard]] bool serve_as_bands(const std::vector<std::int32_t>& keys, const std::vector<Values>& values) const {
         constexpr std::size_t kMostBands = 16;
         constexpr std::size_t kBoxesEach = 3;
@@ -396,10 +405,10 @@ class GraphMaker {
         graph_.subtitle = options.subtitle;
         std::size_t units = 0;
         for (const GraphBox& b : graph_.boxes) units += b.units.size();
-        graph_.description = fmt::format("Harris matrix of {} {} in {} {} with {} immediate {}; later units stand above earlier ones.",
-                                         units, units == 1 ? "unit" : "units", graph_.boxes.size(),
-                                         graph_.boxes.size() == 1 ? "box" : "boxes", graph_.orders.size(),
-                                         graph_.orders.size() == 1 ? "order" : "orders");
+        graph_.description = fmt::format(
+            "Harris matrix of {} {} in {} {} with {} immediate {}; later units stand above earlier ones.", units,
+            units == 1 ? "unit" : "units", graph_.boxes.size(), graph_.boxes.size() == 1 ? "box" : "boxes",
+            graph_.orders.size(), graph_.orders.size() == 1 ? "order" : "orders");
     }
 
     const LayoutRequest& request_;
@@ -417,7 +426,8 @@ class GraphMaker {
 std::string xml_id(std::string_view prefix, std::string_view name) {
     std::string id(prefix);
     for (const char c : name) {
-        const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '.';
+        const bool plain =
+            (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '.';
         if (plain) {
             id += c;
         } else {
@@ -427,9 +437,7 @@ std::string xml_id(std::string_view prefix, std::string_view name) {
     return id;
 }
 
-DrawnGraph make_drawn_graph(const LayoutRequest& request) {
-    return GraphMaker(request).make();
-}
+DrawnGraph make_drawn_graph(const LayoutRequest& request) { return GraphMaker(request).make(); }
 
 MatrixDrawing drawing_without_places(const DrawnGraph& graph) {
     MatrixDrawing drawing;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::uint32_t kLeftOut = Selection::kLeftOut;
 
-template <class Values>
+template<class Values>
 auto positions_by_id(const Values& values) {
     std::unordered_map<decltype(values.front().id), std::int32_t> place;
     for (std::size_t i = 0; i < values.size(); ++i) place.emplace(values[i].id, static_cast<std::int32_t>(i));
     return place;
 }
 
-template <class Map, class Key>
+template<class Map, class Key>
 std::int32_t look_up(const Map& map, const Key& key) {
     const auto it = map.find(key);
     return it == map.end() ? -1 : it->second;

@@ -14,6 +14,7 @@ struct Selection {
     std::vector<std::uint32_t> box_of; ///< by node; kLeftOut where it is not drawn
     std::uint32_t box_count = 0;
     std::vector<std::int32_t> folded; ///< by box: position of the phase, period or group it stands for, or -1
+
     struct Pair {
         std::uint32_t later = 0;
         std::uint32_t earlier = 0;
@@ -21,6 +22,7 @@ struct Selection {
         bool through = false; ///< only by way of units that are left out
         friend bool operator==(const Pair&, const Pair&) = default;
     };
+
     std::vector<Pair> pairs; ///< reduced, sorted
 };
 

@@ -15,7 +15,8 @@ namespace planum::strat {
 namespace {
 
 [[noreturn]] void refuse(std::string_view line) {
-    throw Error(ErrorCode::Internal, fmt::format("graphviz answered with a line that is no position: {}", line.substr(0, 80)));
+    throw Error(ErrorCode::Internal,
+                fmt::format("graphviz answered with a line that is no position: {}", line.substr(0, 80)));
 }
 
 std::vector<double> numbers_of(std::span<const std::string_view> words, std::string_view line) {

@@ -166,7 +166,8 @@ class Layerer {
             if (!path.upwards) continue;
             for (std::size_t e = 0; e < ordinary; ++e) {
                 if (edges[e].first == path.nodes.front()) edges.push_back({path.nodes[1], edges[e].second});
-                if (edges[e].second == path.nodes.back()) edges.push_back({edges[e].first, path.nodes[path.nodes.size() - 2]});
+                if (edges[e].second == path.nodes.back())
+                    edges.push_back({edges[e].first, path.nodes[path.nodes.size() - 2]});
             }
         }
     }
@@ -252,9 +253,9 @@ class Layerer {
                 if (merged_[v] != v) continue;
                 const bool line = out_.nodes[v].box == kNoBox && !nets_[out_.nodes[v].net].upwards;
                 const bool joins = line && last != kNoBox && out_.nodes[last].box == kNoBox &&
-                                   out_.nodes[last].level == out_.nodes[v].level && out_.nodes[last].net == out_.nodes[v].net &&
-                                   beyond_[v] != kNoBox && beyond_[last] != kNoBox &&
-                                   merged_root(beyond_[last]) == merged_root(beyond_[v]);
+                                   out_.nodes[last].level == out_.nodes[v].level &&
+                                   out_.nodes[last].net == out_.nodes[v].net && beyond_[v] != kNoBox &&
+                                   beyond_[last] != kNoBox && merged_root(beyond_[last]) == merged_root(beyond_[v]);
                 if (joins) {
                     merged_[v] = last;
                 } else {
@@ -314,11 +315,13 @@ class Layerer {
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return components_[a].nodes.size() > components_[b].nodes.size();
         });
+
         struct Column {
             double x = 0.0;
             double width = 0.0;
             std::int32_t next_level = 0;
         };
+
         std::vector<Column> columns;
         std::int32_t deepest = 8; // a page of small parts is no taller than this
         for (const Component& c : components_) deepest = std::max(deepest, c.levels);
@@ -349,7 +352,8 @@ class Layerer {
         for (const Component& c : components_) count = std::max(count, c.level + c.levels);
         out_.levels.resize(static_cast<std::size_t>(count));
         for (const Component& c : components_) {
-            for (const std::uint32_t v : c.nodes) out_.levels[static_cast<std::size_t>(out_.nodes[v].level)].push_back(v);
+            for (const std::uint32_t v : c.nodes)
+                out_.levels[static_cast<std::size_t>(out_.nodes[v].level)].push_back(v);
         }
         for (std::vector<std::uint32_t>& level : out_.levels) {
             std::stable_sort(level.begin(), level.end(),
@@ -379,9 +383,9 @@ class Layerer {
     LayeredMatrix out_;
     std::vector<Component> components_;
     std::vector<std::vector<std::uint32_t>> paths_of_; // orders by component
-    std::vector<std::uint32_t> local_;  // by node: its place in its component
-    std::vector<std::uint32_t> merged_; // by node: the line it became part of
-    std::vector<std::uint32_t> beyond_; // by line node: see look_along
+    std::vector<std::uint32_t> local_;                 // by node: its place in its component
+    std::vector<std::uint32_t> merged_;                // by node: the line it became part of
+    std::vector<std::uint32_t> beyond_;                // by line node: see look_along
 };
 
 } // namespace

@@ -39,11 +39,11 @@ struct LayeredMatrix {
         bool upwards = false;
     };
 
-    std::vector<Node> nodes; ///< the boxes first, isolated ones included
-    std::vector<Piece> pieces; ///< sorted, distinct
-    std::vector<Path> paths; ///< by order
+    std::vector<Node> nodes;                        ///< the boxes first, isolated ones included
+    std::vector<Piece> pieces;                      ///< sorted, distinct
+    std::vector<Path> paths;                        ///< by order
     std::vector<std::vector<std::uint32_t>> levels; ///< left to right
-    std::vector<std::int32_t> band_begin; ///< see Ranking
+    std::vector<std::int32_t> band_begin;           ///< see Ranking
 };
 
 /// Second and third phase for each component apart, and the components put side by side or, where there is

@@ -39,11 +39,11 @@ struct OrderMark {
 
 /// What shall be drawn of a matrix, and how. Choices of units (area, around, only) narrow each other.
 struct DrawingOptions {
-    std::string title;    ///< empty: the project's name
-    std::string subtitle; ///< day, area, interpretation, as the caller says; empty: none
-    std::string area;     ///< name of an area; empty: the whole site
-    model::UnitId around; ///< nil: no neighbourhood
-    int around_steps = 2; ///< immediate orders up and down from `around`
+    std::string title;               ///< empty: the project's name
+    std::string subtitle;            ///< day, area, interpretation, as the caller says; empty: none
+    std::string area;                ///< name of an area; empty: the whole site
+    model::UnitId around;            ///< nil: no neighbourhood
+    int around_steps = 2;            ///< immediate orders up and down from `around`
     std::vector<model::UnitId> only; ///< these units (those with problems, those that changed); empty: all
     Bands bands = Bands::Automatic;
     Fold fold = Fold::None;

@@ -27,13 +27,17 @@ namespace {
 class Descriptor {
   public:
     Descriptor() = default;
+
     explicit Descriptor(int fd) : fd_(fd) {}
+
     Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+
     Descriptor& operator=(Descriptor&& other) noexcept {
         close();
         fd_ = std::exchange(other.fd_, -1);
         return *this;
     }
+
     ~Descriptor() { close(); }
 
     void close() noexcept {
@@ -42,6 +46,7 @@ class Descriptor {
     }
 
     [[nodiscard]] int get() const noexcept { return fd_; }
+
     [[nodiscard]] bool is_open() const noexcept { return fd_ >= 0; }
 
   private:
@@ -65,8 +70,10 @@ Pipe make_pipe() {
 class Child {
   public:
     explicit Child(pid_t pid) : pid_(pid) {}
+
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
+
     ~Child() {
         if (pid_ <= 0) return;
         ::kill(pid_, SIGKILL);
@@ -115,14 +122,13 @@ pid_t start(const std::filesystem::path& executable, const WorkerLimits& limits,
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
     if (error != 0) {
-        throw Error(ErrorCode::Io, fmt::format("cannot start {} to lay the matrix out: {}", program, std::strerror(error)));
+        throw Error(ErrorCode::Io,
+                    fmt::format("cannot start {} to lay the matrix out: {}", program, std::strerror(error)));
     }
     return pid;
 }
 
-void set_non_blocking(const Descriptor& fd) {
-    ::fcntl(fd.get(), F_SETFL, ::fcntl(fd.get(), F_GETFL) | O_NONBLOCK);
-}
+void set_non_blocking(const Descriptor& fd) { ::fcntl(fd.get(), F_SETFL, ::fcntl(fd.get(), F_GETFL) | O_NONBLOCK); }
 
 // Writes what the pipe takes without waiting; closes it when all is written or nobody reads any more.
 void feed(Descriptor& to, std::string_view text, std::size_t& written) {
@@ -162,8 +168,10 @@ class HeldPipeSignal {
         sigaddset(&pipe_, SIGPIPE);
         ::pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
     }
+
     HeldPipeSignal(const HeldPipeSignal&) = delete;
     HeldPipeSignal& operator=(const HeldPipeSignal&) = delete;
+
     ~HeldPipeSignal() {
         const timespec no_time{};
         while (::sigtimedwait(&pipe_, nullptr, &no_time) == SIGPIPE) {
@@ -187,9 +195,10 @@ std::string talk(Descriptor& to, const Descriptor& from, std::string_view dot, c
     while (true) {
         progress.check();
         if (std::chrono::steady_clock::now() > deadline) {
-            throw Error(ErrorCode::BadInput,
-                        fmt::format("graphviz did not finish within {} seconds; draw a smaller part, or use the engine planum",
-                                    limits.seconds));
+            throw Error(
+                ErrorCode::BadInput,
+                fmt::format("graphviz did not finish within {} seconds; draw a smaller part, or use the engine planum",
+                            limits.seconds));
         }
         std::array<pollfd, 2> wait = {pollfd{from.get(), POLLIN, 0}, pollfd{to.get(), POLLOUT, 0}};
         constexpr int kMilliseconds = 100;

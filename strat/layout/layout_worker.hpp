@@ -21,7 +21,7 @@ inline constexpr std::string_view kLayoutWorkerArgument = "--layout-worker";
 [[nodiscard]] std::optional<int> run_layout_worker_if_asked(int argc, const char* const* argv);
 
 struct WorkerLimits {
-    int seconds = 120;           ///< of wall time, and of computing
+    int seconds = 120; ///< of wall time, and of computing
     std::int64_t megabytes = 2000;
 };
 

@@ -54,7 +54,8 @@ class Bundler {
         for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
             if (above[b].size() < 2) continue;
             const std::uint32_t look = look_[above[b].front()];
-            const bool alike = std::all_of(above[b].begin(), above[b].end(), [&](std::uint32_t i) { return look_[i] == look; });
+            const bool alike =
+                std::all_of(above[b].begin(), above[b].end(), [&](std::uint32_t i) { return look_[i] == look; });
             if (!alike) continue;
             Key key{look, {}};
             for (const std::uint32_t i : above[b]) key.second.push_back(graph_.orders[i].later);
@@ -94,7 +95,8 @@ class Bundler {
         }
         std::priority_queue<Star> open;
         for (const auto& [key, orders] : rays) {
-            open.push({static_cast<std::uint32_t>(orders.size()), std::get<0>(key), std::get<1>(key), std::get<2>(key)});
+            open.push(
+                {static_cast<std::uint32_t>(orders.size()), std::get<0>(key), std::get<1>(key), std::get<2>(key)});
         }
         while (!open.empty()) {
             Star star = open.top();
@@ -116,7 +118,8 @@ class Bundler {
         net.orders = orders;
         for (const std::uint32_t i : orders) {
             taken_[i] = true;
-            (star.downwards ? net.earlier : net.later).push_back(star.downwards ? graph_.orders[i].earlier : graph_.orders[i].later);
+            (star.downwards ? net.earlier : net.later)
+                .push_back(star.downwards ? graph_.orders[i].earlier : graph_.orders[i].later);
         }
         (star.downwards ? net.later : net.earlier).push_back(star.box);
         nets_.push_back(std::move(net));

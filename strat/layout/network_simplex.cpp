@@ -23,8 +23,10 @@ class Simplex {
   public:
     Simplex(std::uint32_t nodes, const std::vector<RankArc>& arcs) : n_(nodes), arcs_(arcs) {
         const auto identity = [](std::size_t i) { return i; };
-        out_ = Adjacency::make(n_, arcs.size(), [&](std::size_t i) { return arcs[i].from; }, identity);
-        in_ = Adjacency::make(n_, arcs.size(), [&](std::size_t i) { return arcs[i].to; }, identity);
+        out_ = Adjacency::make(
+            n_, arcs.size(), [&](std::size_t i) { return arcs[i].from; }, identity);
+        in_ = Adjacency::make(
+            n_, arcs.size(), [&](std::size_t i) { return arcs[i].to; }, identity);
     }
 
     std::vector<std::int32_t> solve(std::int64_t max_pivots, const std::vector<std::int32_t>& start) {
@@ -82,8 +84,10 @@ class Simplex {
     struct Waiting {
         std::int64_t key = 0; // slack, less what the tree's move does to it
         std::uint32_t arc = 0;
+
         bool operator>(const Waiting& o) const { return key != o.key ? key > o.key : arc > o.arc; }
     };
+
     using WaitingArcs = std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>>;
 
     void grow_tree(std::uint32_t root) {
@@ -107,7 +111,8 @@ class Simplex {
             while (!leaving.empty() && joined_[arcs_[leaving.top().arc].to]) leaving.pop();
             while (!arriving.empty() && joined_[arcs_[arriving.top().arc].from]) arriving.pop();
             if (leaving.empty() && arriving.empty()) break;
-            const bool out = arriving.empty() || (!leaving.empty() && leaving.top().key - moved <= arriving.top().key + moved);
+            const bool out =
+                arriving.empty() || (!leaving.empty() && leaving.top().key - moved <= arriving.top().key + moved);
             const std::uint32_t a = out ? leaving.top().arc : arriving.top().arc;
             if (out) {
                 moved = static_cast<std::int32_t>(leaving.top().key);
@@ -320,8 +325,8 @@ class Simplex {
 
 } // namespace
 
-std::vector<std::int32_t> network_simplex(std::uint32_t nodes, const std::vector<RankArc>& arcs, std::int64_t max_pivots,
-                                          const std::vector<std::int32_t>& start) {
+std::vector<std::int32_t> network_simplex(std::uint32_t nodes, const std::vector<RankArc>& arcs,
+                                          std::int64_t max_pivots, const std::vector<std::int32_t>& start) {
     if (nodes == 0) return {};
     return Simplex(nodes, arcs).solve(arcs.empty() ? 0 : max_pivots, start);
 }

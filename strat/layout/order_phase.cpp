@@ -52,7 +52,8 @@ class Orderer {
             try_start(Start::DepthFirst);
             if (best_crossings_ > 0) try_start(Start::BreadthFirst);
             constexpr int kMostStarts = 24;
-            for (int start = 0; start < kMostStarts && best_crossings_ > 0 && spend(0); ++start) try_start(Start::Shaken);
+            for (int start = 0; start < kMostStarts && best_crossings_ > 0 && spend(0); ++start)
+                try_start(Start::Shaken);
             if (best_crossings_ > 0) try_start(Start::Given);
         }
         g_.layers = best_;
@@ -69,7 +70,8 @@ class Orderer {
     enum class Centre { Barycentre, Median };
 
     void number(std::size_t l) {
-        for (std::size_t i = 0; i < g_.layers[l].size(); ++i) position_[g_.layers[l][i]] = static_cast<std::uint32_t>(i);
+        for (std::size_t i = 0; i < g_.layers[l].size(); ++i)
+            position_[g_.layers[l][i]] = static_cast<std::uint32_t>(i);
     }
 
     void number_all() {
@@ -152,9 +154,11 @@ class Orderer {
             seed_ = seed_ * 6364136223846793005ULL + 1442695040888963407ULL;
             if (layer.size() < 3 || (seed_ >> 33U) % 3 != 0) continue;
             const std::size_t from = static_cast<std::size_t>(seed_ >> 40U) % (layer.size() - 1);
-            const std::size_t length = 2 + static_cast<std::size_t>(seed_ >> 50U) % std::min<std::size_t>(12, layer.size() - 1);
+            const std::size_t length =
+                2 + static_cast<std::size_t>(seed_ >> 50U) % std::min<std::size_t>(12, layer.size() - 1);
             const std::size_t to = std::min(layer.size(), from + length);
-            std::reverse(layer.begin() + static_cast<std::ptrdiff_t>(from), layer.begin() + static_cast<std::ptrdiff_t>(to));
+            std::reverse(layer.begin() + static_cast<std::ptrdiff_t>(from),
+                         layer.begin() + static_cast<std::ptrdiff_t>(to));
         }
     }
 
@@ -265,7 +269,8 @@ class Orderer {
         Ends ends;
         for (int round = 0; round < most_rounds; ++round) {
             bool better = false;
-            for (std::size_t l = 0; l < g_.layers.size(); ++l) better = switch_layer(l, ends, also_equal && round == 0) || better;
+            for (std::size_t l = 0; l < g_.layers.size(); ++l)
+                better = switch_layer(l, ends, also_equal && round == 0) || better;
             if (!better) return;
             if (!spend(static_cast<std::int64_t>(g_.edges.size()) * 10)) return;
         }

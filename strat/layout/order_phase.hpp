@@ -12,13 +12,13 @@ namespace planum::strat {
 /// Nodes on levels with edges between neighbouring levels only.
 struct LayeredGraph {
     std::uint32_t nodes = 0;
-    std::vector<std::vector<std::uint32_t>> layers;              ///< nodes of each level, left to right
+    std::vector<std::vector<std::uint32_t>> layers;             ///< nodes of each level, left to right
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges; ///< (upper, lower)
 };
 
 struct OrderOptions {
     std::int64_t work = 0;   ///< about how many steps may be spent; 0: by the size of the graph
-    bool keep_given = false;         ///< begin with the given order and only better it where neighbours swap
+    bool keep_given = false; ///< begin with the given order and only better it where neighbours swap
 };
 
 /// Second phase: sorts each level so that few edges cross: barycentres and medians in sweeps, then

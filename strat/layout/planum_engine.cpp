@@ -37,7 +37,8 @@ class Assembler {
         place_levels();
         place_boxes();
         index_ends();
-        for (std::size_t i = 0; i < m_.paths.size(); ++i) drawing_.lines[i].points = points_of(m_.paths[i], drawing_.lines[i]);
+        for (std::size_t i = 0; i < m_.paths.size(); ++i)
+            drawing_.lines[i].points = points_of(m_.paths[i], drawing_.lines[i]);
         find_junctions();
         place_bands();
         return std::move(drawing_);
@@ -58,7 +59,8 @@ class Assembler {
     };
 
     [[nodiscard]] bool begins_band(std::size_t level) const {
-        return std::find(m_.band_begin.begin(), m_.band_begin.end(), static_cast<std::int32_t>(level)) != m_.band_begin.end();
+        return std::find(m_.band_begin.begin(), m_.band_begin.end(), static_cast<std::int32_t>(level)) !=
+               m_.band_begin.end();
     }
 
     [[nodiscard]] double channel_height(std::size_t c) const {
@@ -116,11 +118,13 @@ class Assembler {
     // Tracks stand in the middle of the channel.
     [[nodiscard]] double track_y(std::size_t channel, std::int32_t track) const {
         const double middle = (channel_top_[channel] + channel_bottom_[channel]) / 2.0;
-        return middle + style::kTrackGap * (static_cast<double>(track) - static_cast<double>(routes_[channel].tracks - 1) / 2.0);
+        return middle +
+               style::kTrackGap * (static_cast<double>(track) - static_cast<double>(routes_[channel].tracks - 1) / 2.0);
     }
 
     // From one end of a wire to another, without the verticals beyond its ends.
-    void cross(std::vector<DrawPoint>& points, const EndPlace& from, const EndPlace& to, bool from_top, bool to_top) const {
+    void cross(std::vector<DrawPoint>& points, const EndPlace& from, const EndPlace& to, bool from_top,
+               bool to_top) const {
         const WireRoute& route = routes_[from.channel].wires[from.wire];
         if (route.track < 0) return; // one straight vertical
         const double upper = track_y(from.channel, route.track);

@@ -90,7 +90,7 @@ class WireCollector {
 struct Port {
     End* end = nullptr;
     double wanted = 0.0;
-    double towards = 0.0; // mean x of where the wire goes
+    double towards = 0.0;  // mean x of where the wire goes
     bool straight = false; // the wire has one other end, and `wanted` faces it
 };
 
@@ -159,17 +159,22 @@ class PortPlacer {
     // Sorted by where they go, as near to what they want as the gaps allow; lines that can run straight hold
     // their place and the others make way. Least squares under an order: pool adjacent violators.
     void spread(std::uint32_t node, std::vector<Port>& ports) const {
-        std::stable_sort(ports.begin(), ports.end(), [](const Port& a, const Port& b) { return a.towards < b.towards; });
+        std::stable_sort(ports.begin(), ports.end(),
+                         [](const Port& a, const Port& b) { return a.towards < b.towards; });
         const double centre = m_.nodes[node].x;
         const double room = reach(node);
         const std::size_t n = ports.size();
-        const double gap = n < 2 ? 0.0 : std::min(style::kPortGap, std::floor(4.0 * room / static_cast<double>(n - 1)) / 2.0);
+        const double gap =
+            n < 2 ? 0.0 : std::min(style::kPortGap, std::floor(4.0 * room / static_cast<double>(n - 1)) / 2.0);
+
         struct Pool {
             double sum = 0.0; // of weight times place, gaps taken out
             double weight = 0.0;
             std::size_t count = 0;
+
             [[nodiscard]] double mean() const { return sum / weight; }
         };
+
         std::vector<Pool> pools;
         for (std::size_t i = 0; i < n; ++i) {
             const double weight = ports[i].straight ? 1000.0 : 1.0;
@@ -207,7 +212,8 @@ class PortPlacer {
                     if (step == 0.0 || (!alone && step > kSmall)) continue;
                     if (at_bottom[bottom.node] == 1 && reaches(bottom.node, top.x)) {
                         bottom.x = top.x;
-                    } else if (at_top[top.node] == 1 && reaches(top.node, bottom.x) && (alone || wire.tops.size() > 1)) {
+                    } else if (at_top[top.node] == 1 && reaches(top.node, bottom.x) &&
+                               (alone || wire.tops.size() > 1)) {
                         top.x = bottom.x;
                     }
                 }

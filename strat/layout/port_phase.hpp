@@ -15,11 +15,13 @@ struct ChannelWires {
         std::uint32_t node = 0;
         double x = 0.0; ///< [pt]
     };
+
     struct ChannelWire {
         std::uint32_t net = 0;
         std::vector<End> tops;    ///< nodes of the level above, by node
         std::vector<End> bottoms; ///< nodes of the level below
     };
+
     std::vector<ChannelWire> wires;
 };
 

@@ -85,7 +85,8 @@ class Ranker {
         const auto members = condensation.members.row(c);
         std::vector<std::uint32_t> inside; // orders of the group
         for (std::uint32_t i = 0; i < graph_.orders.size(); ++i) {
-            if (condensation.component_of[graph_.orders[i].later] == c && condensation.component_of[graph_.orders[i].earlier] == c) {
+            if (condensation.component_of[graph_.orders[i].later] == c &&
+                condensation.component_of[graph_.orders[i].earlier] == c) {
                 inside.push_back(i);
             }
         }
@@ -99,8 +100,8 @@ class Ranker {
         }
         std::vector<bool> taken(graph_.boxes.size(), false);
         while (!left.empty()) {
-            const auto best = std::max_element(left.begin(), left.end(),
-                                               [&](std::uint32_t a, std::uint32_t b) { return balance[a] < balance[b]; });
+            const auto best = std::max_element(
+                left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) { return balance[a] < balance[b]; });
             const std::uint32_t box = *best;
             left.erase(best);
             taken[box] = true;
@@ -168,7 +169,9 @@ class Ranker {
         for (const Order& pair : graph_.contemporaries) {
             const std::uint32_t a = levels_.find(pair.later);
             const std::uint32_t b = levels_.find(pair.earlier);
-            if (a == b || band[a] != band[b] || graph_.boxes[pair.later].box.isolated || graph_.boxes[pair.earlier].box.isolated) continue;
+            if (a == b || band[a] != band[b] || graph_.boxes[pair.later].box.isolated ||
+                graph_.boxes[pair.earlier].box.isolated)
+                continue;
             // Boxes outside all bands are held between others' bands by different chains; tied together these
             // chains can close a circle through the bands' borders.
             if (!graph_.bands.empty() && band[a] == kNoBand) continue;
@@ -182,8 +185,8 @@ class Ranker {
         }
     }
 
-    bool reaches(const std::vector<std::vector<std::uint32_t>>& members, const std::vector<std::vector<std::uint32_t>>& below,
-                 std::uint32_t from, std::uint32_t to) {
+    bool reaches(const std::vector<std::vector<std::uint32_t>>& members,
+                 const std::vector<std::vector<std::uint32_t>>& below, std::uint32_t from, std::uint32_t to) {
         std::vector<bool> seen(graph_.boxes.size(), false);
         std::vector<std::uint32_t> open = {from};
         seen[from] = true;
@@ -231,7 +234,8 @@ class Ranker {
     // Beyond some thousand units the last few per cent of line length are not worth the seconds.
     static std::int64_t pivots(std::uint32_t nodes, std::size_t arcs) {
         constexpr double kWork = 4.0e7;
-        return std::max<std::int64_t>(50, static_cast<std::int64_t>(kWork / (1.0 + static_cast<double>(nodes) + static_cast<double>(arcs))));
+        return std::max<std::int64_t>(
+            50, static_cast<std::int64_t>(kWork / (1.0 + static_cast<double>(nodes) + static_cast<double>(arcs))));
     }
 
     // Topsoil up, natural down, where nothing is in the way.
@@ -258,7 +262,8 @@ class Ranker {
 
     void find_bands() {
         const auto boxes = static_cast<std::uint32_t>(graph_.boxes.size());
-        for (std::uint32_t band = 0; band <= graph_.bands.size(); ++band) out_.band_begin.push_back(ranks_[boxes + band]);
+        for (std::uint32_t band = 0; band <= graph_.bands.size(); ++band)
+            out_.band_begin.push_back(ranks_[boxes + band]);
     }
 
     // Separators took levels of their own; they go, in all components alike.
@@ -290,8 +295,6 @@ class Ranker {
 
 } // namespace
 
-Ranking rank_boxes(const DrawnGraph& graph) {
-    return Ranker(graph).rank();
-}
+Ranking rank_boxes(const DrawnGraph& graph) { return Ranker(graph).rank(); }
 
 } // namespace planum::strat

@@ -10,8 +10,8 @@ namespace planum::strat {
 
 /// The level of each box, 0 on top, and which orders had to be drawn upwards.
 struct Ranking {
-    std::vector<std::int32_t> rank; ///< by box; isolated ones have 0
-    std::vector<bool> upwards;      ///< by order: against a cycle's best reading, or against the bands
+    std::vector<std::int32_t> rank;       ///< by box; isolated ones have 0
+    std::vector<bool> upwards;            ///< by order: against a cycle's best reading, or against the bands
     std::vector<std::uint32_t> component; ///< by box: parts of the graph that no order joins
     std::uint32_t component_count = 0;
     /// First level of each band and, last, the level after them; empty without bands.

@@ -72,7 +72,8 @@ class Reader {
     void check_boxes() {
         std::vector<std::size_t> order(d_.boxes.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return d_.boxes[a].rect.y < d_.boxes[b].rect.y; });
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return d_.boxes[a].rect.y < d_.boxes[b].rect.y; });
         std::vector<std::size_t> open;
         for (const std::size_t i : order) {
             const DrawRect& r = d_.boxes[i].rect;
@@ -82,7 +83,8 @@ class Reader {
                 if (r.x < s.right() && s.x < r.right()) fault(d_.boxes[i].id + " overlaps " + d_.boxes[j].id);
             }
             open.push_back(i);
-            if (r.x < 0.0 || r.y < 0.0 || r.right() > d_.width || r.bottom() > d_.height) fault(d_.boxes[i].id + " leaves the page");
+            if (r.x < 0.0 || r.y < 0.0 || r.right() > d_.width || r.bottom() > d_.height)
+                fault(d_.boxes[i].id + " leaves the page");
             for (const double w : d_.boxes[i].line_widths) {
                 if (w > r.width) fault("the label of " + d_.boxes[i].id + " is cut off");
             }
@@ -92,7 +94,8 @@ class Reader {
     void check_lines_through_boxes() {
         for (const DrawnBox& box : d_.boxes) {
             const DrawRect& r = box.rect;
-            const auto inside = [](const std::vector<Stroke>& strokes, double at0, double at1, double low, double high) {
+            const auto inside = [](const std::vector<Stroke>& strokes, double at0, double at1, double low,
+                                   double high) {
                 auto s = std::lower_bound(strokes.begin(), strokes.end(), Stroke{at0 + kSame, -1e300, -1e300});
                 for (; s != strokes.end() && s->at < at1 - kSame; ++s) {
                     if (s->low < high - kSame && s->high > low + kSame) return true;
@@ -158,8 +161,9 @@ class Reader {
             const std::size_t group = find(i);
             if (group != i) continue;
             if (later[group].empty() || earlier[group].empty()) {
-                const DrawPoint at = i < upright_.size() ? DrawPoint{upright_[i].at, upright_[i].low}
-                                                         : DrawPoint{level_[i - upright_.size()].low, level_[i - upright_.size()].at};
+                const DrawPoint at = i < upright_.size()
+                                         ? DrawPoint{upright_[i].at, upright_[i].low}
+                                         : DrawPoint{level_[i - upright_.size()].low, level_[i - upright_.size()].at};
                 fault(fmt::format("a line at {:.1f}, {:.1f} hangs in the air", at.x, at.y));
             }
             for (const std::size_t u : later[group]) {
@@ -180,8 +184,6 @@ class Reader {
 
 } // namespace
 
-ReadBack read_back(const MatrixDrawing& drawing) {
-    return Reader(drawing).read();
-}
+ReadBack read_back(const MatrixDrawing& drawing) { return Reader(drawing).read(); }
 
 } // namespace planum::strat

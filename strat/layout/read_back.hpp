@@ -16,6 +16,7 @@ struct ReadBack {
 
         friend auto operator<=>(const Pair&, const Pair&) = default;
     };
+
     std::vector<Pair> orders; ///< sorted, distinct
     /// What is wrong with the drawing itself, in sentences: boxes that overlap, a line through a box, a
     /// slanting stroke, a place that is no number, an end that hangs in the air. Empty: none.

@@ -32,9 +32,7 @@ std::string path_data(std::span<const DrawPoint> points, bool closed) {
     return closed ? d + " Z" : d;
 }
 
-std::string hex(Colour colour) {
-    return fmt::format("#{:06x}", colour);
-}
+std::string hex(Colour colour) { return fmt::format("#{:06x}", colour); }
 
 std::string stroke_attributes(const StrokeStyle& stroke) {
     std::string s = fmt::format("stroke=\"{}\" stroke-width=\"{}\"", hex(stroke.colour), number(stroke.width));
@@ -61,7 +59,7 @@ class SvgWriter {
     }
 
   private:
-    template <class... Args>
+    template<class... Args>
     void put(fmt::format_string<Args...> format, Args&&... args) {
         fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
     }
@@ -70,7 +68,8 @@ class SvgWriter {
         put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
         put("<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
             "width=\"{0}pt\" height=\"{1}pt\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
-            "aria-labelledby=\"drawing-title drawing-description\" font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n",
+            "aria-labelledby=\"drawing-title drawing-description\" font-family=\"'DejaVu Sans', Verdana, "
+            "sans-serif\">\n",
             number(d_.width), number(d_.height));
         put("<title id=\"drawing-title\">{}</title>\n", xml_escaped(d_.title));
         put("<desc id=\"drawing-description\">{}</desc>\n", xml_escaped(d_.description));
@@ -125,7 +124,8 @@ class SvgWriter {
 
     void line(const DrawnLine& line) {
         const StrokeStyle style = style_of(line);
-        put("<g id=\"{}\" class=\"{}\" data-later=\"{}\" data-earlier=\"{}\"><title>{}</title><path d=\"{}\" fill=\"none\" {}/>",
+        put("<g id=\"{}\" class=\"{}\" data-later=\"{}\" data-earlier=\"{}\"><title>{}</title><path d=\"{}\" "
+            "fill=\"none\" {}/>",
             xml_escaped(line.id), xml_escaped(classes(line)), xml_escaped(d_.boxes[line.later].id),
             xml_escaped(d_.boxes[line.earlier].id), xml_escaped(line.title), path_data(line.points, false),
             stroke_attributes(style));
@@ -155,13 +155,15 @@ class SvgWriter {
         const BoxStyle style = style_of(box);
         StrokeStyle stroke = style.stroke;
         stroke.width = std::max(stroke.width, outline.stroke_width);
-        put("<path d=\"{}\" fill=\"{}\" {}/>", path_data(outline.polygon, true), hex(style.fill), stroke_attributes(stroke));
+        put("<path d=\"{}\" fill=\"{}\" {}/>", path_data(outline.polygon, true), hex(style.fill),
+            stroke_attributes(stroke));
         for (const std::vector<DrawPoint>& inner : outline.strokes) {
             put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"/>", path_data(inner, false),
                 hex(stroke.colour));
         }
         if (box.has_finds) {
-            put("<path class=\"finds-mark\" d=\"{}\" fill=\"{}\"/>", path_data(finds_mark(box.rect), true), hex(stroke.colour));
+            put("<path class=\"finds-mark\" d=\"{}\" fill=\"{}\"/>", path_data(finds_mark(box.rect), true),
+                hex(stroke.colour));
         }
     }
 
@@ -171,7 +173,8 @@ class SvgWriter {
             if (!box.link.empty()) {
                 put("<a xlink:href=\"{0}\" href=\"{0}\">", xml_escaped(box.link));
             }
-            put("<g id=\"{}\" class=\"{}\"><title>{}</title>", xml_escaped(box.id), classes(box), xml_escaped(box.title));
+            put("<g id=\"{}\" class=\"{}\"><title>{}</title>", xml_escaped(box.id), classes(box),
+                xml_escaped(box.title));
             shape(box);
             label(box);
             put("</g>{}\n", box.link.empty() ? "" : "</a>");
@@ -186,8 +189,8 @@ class SvgWriter {
             const double y = top + style::kLineHeight * static_cast<double>(i) + box.text_size * 0.36;
             put("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\" fill=\"{}\" textLength=\"{}\" "
                 "lengthAdjust=\"spacingAndGlyphs\">{}</text>",
-                number(box.rect.centre().x), number(y), number(box.text_size), hex(style_of(box).text), number(box.line_widths[i]),
-                xml_escaped(box.lines[i]));
+                number(box.rect.centre().x), number(y), number(box.text_size), hex(style_of(box).text),
+                number(box.line_widths[i]), xml_escaped(box.lines[i]));
         }
     }
 
@@ -209,10 +212,13 @@ class SvgWriter {
     void texts() {
         put("<g id=\"texts\">\n");
         for (const DrawnText& t : d_.texts) {
-            const char* anchor = t.anchor == TextAnchor::Start ? "start" : t.anchor == TextAnchor::Middle ? "middle" : "end";
+            const char* anchor = t.anchor == TextAnchor::Start    ? "start"
+                                 : t.anchor == TextAnchor::Middle ? "middle"
+                                                                  : "end";
             const bool strong = t.role == "title" || t.role == "legend";
-            put("<text class=\"{}\" x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"", xml_escaped(t.role),
-                number(t.at.x), number(t.at.y), number(t.size), anchor, hex(strong ? kInk : kFaintInk));
+            put("<text class=\"{}\" x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"",
+                xml_escaped(t.role), number(t.at.x), number(t.at.y), number(t.size), anchor,
+                hex(strong ? kInk : kFaintInk));
             if (t.bold) put(" font-weight=\"bold\"");
             if (t.upright) put(" transform=\"rotate(-90 {} {})\"", number(t.at.x), number(t.at.y));
             if (t.width > 0.0) put(" textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\"", number(t.width));
@@ -251,8 +257,6 @@ std::string xml_escaped(std::string_view text) {
     return out;
 }
 
-std::string write_svg(const MatrixDrawing& drawing) {
-    return SvgWriter(drawing).write();
-}
+std::string write_svg(const MatrixDrawing& drawing) { return SvgWriter(drawing).write(); }
 
 } // namespace planum::strat

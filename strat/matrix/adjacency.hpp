@@ -20,7 +20,7 @@ struct Adjacency {
     }
 
     /// Rows from (row, value) given by two functions of an item's position; order within a row is kept.
-    template <class RowOf, class ValueOf>
+    template<class RowOf, class ValueOf>
     [[nodiscard]] static Adjacency make(std::size_t rows, std::size_t items, RowOf row_of, ValueOf value_of) {
         Adjacency a;
         a.begin.assign(rows + 1, 0);

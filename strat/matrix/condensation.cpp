@@ -53,7 +53,8 @@ std::vector<Pair> component_pairs(std::span<const Order> orders, const std::vect
 
 Adjacency adjacency_of(std::size_t rows, const std::vector<Pair>& pairs) {
     return Adjacency::make(
-        rows, pairs.size(), [&](std::size_t i) { return pairs[i].first; }, [&](std::size_t i) { return pairs[i].second; });
+        rows, pairs.size(), [&](std::size_t i) { return pairs[i].first; },
+        [&](std::size_t i) { return pairs[i].second; });
 }
 
 // Kahn 1962; the queue by smallest node makes the numbering independent of the input's order.

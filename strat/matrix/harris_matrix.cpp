@@ -117,8 +117,7 @@ Nodes make_nodes(std::size_t unit_count, const std::vector<Link>& same_as) {
         nodes.of_unit[unit] = leader == unit ? next++ : nodes.of_unit[leader];
     }
     nodes.members = Adjacency::make(
-        next, unit_count, [&](std::size_t unit) { return nodes.of_unit[unit]; },
-        [](std::size_t unit) { return unit; });
+        next, unit_count, [&](std::size_t unit) { return nodes.of_unit[unit]; }, [](std::size_t unit) { return unit; });
     return nodes;
 }
 
@@ -193,8 +192,10 @@ void HarrisMatrix::Data::make_orders(const Links& links) {
         [&](std::size_t i) { return merged[i].relation; });
     const auto position = [](std::size_t i) { return i; };
     const std::size_t node_count = nodes.members.rows();
-    below = Adjacency::make(node_count, orders.size(), [&](std::size_t i) { return orders[i].later; }, position);
-    above = Adjacency::make(node_count, orders.size(), [&](std::size_t i) { return orders[i].earlier; }, position);
+    below = Adjacency::make(
+        node_count, orders.size(), [&](std::size_t i) { return orders[i].later; }, position);
+    above = Adjacency::make(
+        node_count, orders.size(), [&](std::size_t i) { return orders[i].earlier; }, position);
 }
 
 void HarrisMatrix::Data::make_contemporaries(const Links& links) {
@@ -254,29 +255,20 @@ HarrisMatrix HarrisMatrix::build(const model::Record& record, const MatrixOption
 }
 
 HarrisMatrix::HarrisMatrix(std::unique_ptr<Data> data) noexcept : data_(std::move(data)) {}
+
 HarrisMatrix::HarrisMatrix(HarrisMatrix&&) noexcept = default;
 HarrisMatrix& HarrisMatrix::operator=(HarrisMatrix&&) noexcept = default;
 HarrisMatrix::~HarrisMatrix() = default;
 
-std::size_t HarrisMatrix::node_count() const noexcept {
-    return data_->nodes.members.rows();
-}
+std::size_t HarrisMatrix::node_count() const noexcept { return data_->nodes.members.rows(); }
 
-NodeIndex HarrisMatrix::node_of(UnitIndex unit) const {
-    return data_->nodes.of_unit.at(unit);
-}
+NodeIndex HarrisMatrix::node_of(UnitIndex unit) const { return data_->nodes.of_unit.at(unit); }
 
-std::span<const UnitIndex> HarrisMatrix::members(NodeIndex node) const {
-    return data_->nodes.members.row(node);
-}
+std::span<const UnitIndex> HarrisMatrix::members(NodeIndex node) const { return data_->nodes.members.row(node); }
 
-std::span<const Order> HarrisMatrix::orders() const noexcept {
-    return data_->orders;
-}
+std::span<const Order> HarrisMatrix::orders() const noexcept { return data_->orders; }
 
-std::span<const RelationIndex> HarrisMatrix::because(std::size_t order) const {
-    return data_->because.row(order);
-}
+std::span<const RelationIndex> HarrisMatrix::because(std::size_t order) const { return data_->because.row(order); }
 
 std::size_t HarrisMatrix::find_order(NodeIndex later, NodeIndex earlier) const noexcept {
     const Order wanted{later, earlier};
@@ -285,45 +277,29 @@ std::size_t HarrisMatrix::find_order(NodeIndex later, NodeIndex earlier) const n
     return static_cast<std::size_t>(at - data_->orders.begin());
 }
 
-std::span<const std::uint32_t> HarrisMatrix::orders_below(NodeIndex node) const {
-    return data_->below.row(node);
-}
+std::span<const std::uint32_t> HarrisMatrix::orders_below(NodeIndex node) const { return data_->below.row(node); }
 
-std::span<const std::uint32_t> HarrisMatrix::orders_above(NodeIndex node) const {
-    return data_->above.row(node);
-}
+std::span<const std::uint32_t> HarrisMatrix::orders_above(NodeIndex node) const { return data_->above.row(node); }
 
-std::uint32_t HarrisMatrix::component_of(NodeIndex node) const {
-    return data_->condensation.component_of.at(node);
-}
+std::uint32_t HarrisMatrix::component_of(NodeIndex node) const { return data_->condensation.component_of.at(node); }
 
-std::size_t HarrisMatrix::component_count() const noexcept {
-    return data_->condensation.members.rows();
-}
+std::size_t HarrisMatrix::component_count() const noexcept { return data_->condensation.members.rows(); }
 
 std::span<const NodeIndex> HarrisMatrix::component(std::uint32_t component) const {
     return data_->condensation.members.row(component);
 }
 
-std::span<const std::uint32_t> HarrisMatrix::cycle_groups() const noexcept {
-    return data_->cycle_groups;
-}
+std::span<const std::uint32_t> HarrisMatrix::cycle_groups() const noexcept { return data_->cycle_groups; }
 
-std::span<const Order> HarrisMatrix::contemporaries() const noexcept {
-    return data_->contemporaries;
-}
+std::span<const Order> HarrisMatrix::contemporaries() const noexcept { return data_->contemporaries; }
 
-std::span<const std::uint32_t> HarrisMatrix::reduced() const noexcept {
-    return data_->reduced;
-}
+std::span<const std::uint32_t> HarrisMatrix::reduced() const noexcept { return data_->reduced; }
 
 std::uint32_t HarrisMatrix::rank_from_top(std::uint32_t component) const {
     return data_->condensation.rank.at(component);
 }
 
-const MatrixStats& HarrisMatrix::stats() const noexcept {
-    return data_->stats;
-}
+const MatrixStats& HarrisMatrix::stats() const noexcept { return data_->stats; }
 
 bool HarrisMatrix::is_later(NodeIndex later, NodeIndex earlier) const {
     const Condensation& c = data_->condensation;

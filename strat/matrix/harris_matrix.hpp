@@ -31,13 +31,13 @@ struct Order {
 /// What `matrix --stats` says; the words are defined in docs/matrix.md.
 struct MatrixStats {
     std::int64_t units = 0;
-    std::int64_t orders = 0;       ///< distinct later→earlier pairs of units as stated, before merging
-    std::int64_t same_as = 0;      ///< distinct unordered pairs
-    std::int64_t contemporary = 0; ///< distinct unordered pairs, bonds_with included
-    std::int64_t merged = 0;       ///< units that disappear when same_as is merged
-    std::int64_t self = 0;         ///< distinct units stated above themselves
-    std::int64_t mutual = 0;       ///< distinct pairs of units stated both ways
-    std::int64_t cycle_groups = 0; ///< strongly connected components of two or more nodes
+    std::int64_t orders = 0;              ///< distinct later→earlier pairs of units as stated, before merging
+    std::int64_t same_as = 0;             ///< distinct unordered pairs
+    std::int64_t contemporary = 0;        ///< distinct unordered pairs, bonds_with included
+    std::int64_t merged = 0;              ///< units that disappear when same_as is merged
+    std::int64_t self = 0;                ///< distinct units stated above themselves
+    std::int64_t mutual = 0;              ///< distinct pairs of units stated both ways
+    std::int64_t cycle_groups = 0;        ///< strongly connected components of two or more nodes
     std::int64_t largest_cycle_group = 0; ///< in nodes
     std::int64_t orders_in_cycles = 0;    ///< distinct node pairs inside cycle groups
     std::int64_t redundant = 0;           ///< implied by longer paths …

@@ -20,7 +20,8 @@ using Colour = std::array<unsigned char, 3>;
 
 class Picture {
   public:
-    Picture(int width, int height) : width_(width), height_(height), pixels_(static_cast<std::size_t>(width * height)) {}
+    Picture(int width, int height)
+        : width_(width), height_(height), pixels_(static_cast<std::size_t>(width * height)) {}
 
     void set(int x, int y, Colour colour) {
         if (x >= 0 && y >= 0 && x < width_ && y < height_) pixels_[static_cast<std::size_t>(y * width_ + x)] = colour;
@@ -62,12 +63,14 @@ void draw_plan(const DemoDig& dig, SurfaceNo surface, const std::filesystem::pat
             const SurfaceCell& cell = map[row * grid.columns() + column];
             const SurfaceCell& west = map[row * grid.columns() + (column > 0 ? column - 1 : 0)];
             const SurfaceCell& north = map[std::min(row + 1, grid.rows() - 1) * grid.columns() + column];
-            const double shade = 0.62 + 4.0 * (static_cast<double>(cell.z - west.z) - static_cast<double>(north.z - cell.z));
+            const double shade =
+                0.62 + 4.0 * (static_cast<double>(cell.z - west.z) - static_cast<double>(north.z - cell.z));
             const std::uint64_t key = mix(static_cast<std::uint64_t>(cell.unit + 10) * 7919U);
             const double tint = cell.unit == kAir ? 0.0 : 0.25;
             const bool cut = cell.shown == SurfaceCell::Shown::Cut;
-            picture.set(x, y, {tone(shade * (1 - tint * unit_of(key)) * (cut ? 0.8 : 1.0)), tone(shade * (1 - tint * unit_of(key + 1))),
-                               tone(shade * (1 - tint * unit_of(key + 2)))});
+            picture.set(x, y,
+                        {tone(shade * (1 - tint * unit_of(key)) * (cut ? 0.8 : 1.0)),
+                         tone(shade * (1 - tint * unit_of(key + 1))), tone(shade * (1 - tint * unit_of(key + 2)))});
         }
     }
     const auto to_picture = [&](const std::array<double, 3>& p) {

@@ -30,7 +30,8 @@ inline std::string broken_law(const model::Record& record, const strat::MatrixDr
     const ReadBack read = read_back(drawing);
     if (!read.faults.empty()) return read.faults.front();
     if (read.orders != wanted) {
-        return "drawn " + std::to_string(read.orders.size()) + " orders, in the matrix are " + std::to_string(wanted.size());
+        return "drawn " + std::to_string(read.orders.size()) + " orders, in the matrix are " +
+               std::to_string(wanted.size());
     }
     for (const DrawnLine& line : drawing.lines) {
         const bool above = drawing.boxes[line.later].rect.bottom() < drawing.boxes[line.earlier].rect.y;

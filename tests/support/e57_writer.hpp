@@ -44,8 +44,7 @@ std::string pack_floats(std::span<const double> values) {
 }
 
 inline void put_number(std::string& out, std::uint64_t value, std::size_t bytes) {
-    for (std::size_t i = 0; i < bytes; ++i)
-        out.push_back(static_cast<char>(value >> (8 * i)));
+    for (std::size_t i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> (8 * i)));
 }
 
 /// A small E57 file, written from the layout and from nothing of the reader's.
@@ -64,8 +63,7 @@ class E57Writer {
         std::string packets;
         std::vector<std::size_t> taken(scan.columns.size(), 0);
         std::size_t total = 1;
-        for (const E57Column& column : scan.columns)
-            total += column.bytes.size();
+        for (const E57Column& column : scan.columns) total += column.bytes.size();
         while (true) {
             std::string lengths;
             std::string body;
@@ -82,8 +80,7 @@ class E57Writer {
             std::string packet;
             put_number(packet, scan.columns.size(), 2);
             packet += lengths + body;
-            while (packet.size() % 4 != 0)
-                packet.push_back('\0');
+            while (packet.size() % 4 != 0) packet.push_back('\0');
             packets.push_back('\1');
             packets.push_back('\0');
             put_number(packets, packet.size() + 4 - 1, 2);
@@ -96,13 +93,12 @@ class E57Writer {
         put_number(logical_, 0, 8);
         logical_ += packets;
         std::string prototype;
-        for (const E57Column& column : scan.columns)
-            prototype += column.element;
-        scans_ += fmt::format(
-            "<vectorChild type=\"Structure\">{}<points type=\"CompressedVector\" fileOffset=\"{}\" "
-            "recordCount=\"{}\">"
-            "<prototype type=\"Structure\">{}</prototype><codecs type=\"Vector\"/></points></vectorChild>",
-            scan.extra, physical(section), scan.records, prototype);
+        for (const E57Column& column : scan.columns) prototype += column.element;
+        scans_ +=
+            fmt::format("<vectorChild type=\"Structure\">{}<points type=\"CompressedVector\" fileOffset=\"{}\" "
+                        "recordCount=\"{}\">"
+                        "<prototype type=\"Structure\">{}</prototype><codecs type=\"Vector\"/></points></vectorChild>",
+                        scan.extra, physical(section), scan.records, prototype);
     }
 
     void add_image(const std::string& bytes, const std::string& type) {
@@ -111,13 +107,13 @@ class E57Writer {
         logical_.append(8, '\0');
         put_number(logical_, 16 + bytes.size(), 8);
         logical_ += bytes;
-        images_ += fmt::format(
-            "<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[picture]]></name>"
-            "<visualReferenceRepresentation type=\"Structure\"><{}Image type=\"Blob\" fileOffset=\"{}\" "
-            "length=\"{}\"/>"
-            "<imageWidth type=\"Integer\">2</imageWidth><imageHeight type=\"Integer\">1</imageHeight>"
-            "</visualReferenceRepresentation></vectorChild>",
-            type, physical(section), bytes.size());
+        images_ +=
+            fmt::format("<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[picture]]></name>"
+                        "<visualReferenceRepresentation type=\"Structure\"><{}Image type=\"Blob\" fileOffset=\"{}\" "
+                        "length=\"{}\"/>"
+                        "<imageWidth type=\"Integer\">2</imageWidth><imageHeight type=\"Integer\">1</imageHeight>"
+                        "</visualReferenceRepresentation></vectorChild>",
+                        type, physical(section), bytes.size());
     }
 
     [[nodiscard]] std::string finish() {
@@ -126,8 +122,7 @@ class E57Writer {
                                 "xmlns=\"http://www.astm.org/COMMIT/E57/2010-e57-v1.0\"><guid "
                                 "type=\"String\"><![CDATA[own]]></guid>"
                                 "<data3D type=\"Vector\">" +
-                                scans_ + "</data3D><images2D type=\"Vector\">" + images_ +
-                                "</images2D></e57Root>";
+                                scans_ + "</data3D><images2D type=\"Vector\">" + images_ + "</images2D></e57Root>";
         const std::uint64_t xml_at = logical_.size();
         logical_ += xml;
         logical_.resize((logical_.size() + 1019) / 1020 * 1020, '\0');
@@ -148,8 +143,7 @@ class E57Writer {
         for (std::size_t at = 0; at < logical.size(); at += 1020) {
             file.append(logical, at, 1020);
             const std::uint32_t crc = scans::crc32c({logical.data() + at, 1020});
-            for (int shift = 24; shift >= 0; shift -= 8)
-                file.push_back(static_cast<char>(crc >> shift));
+            for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<char>(crc >> shift));
         }
         return file;
     }
@@ -158,8 +152,7 @@ class E57Writer {
     static std::uint64_t physical(std::uint64_t logical) { return logical / 1020 * 1024 + logical % 1020; }
 
     void pad() {
-        while (logical_.size() % 4 != 0)
-            logical_.push_back('\0');
+        while (logical_.size() % 4 != 0) logical_.push_back('\0');
     }
 
     std::string logical_ = std::string(48, '\0');

@@ -80,9 +80,7 @@ class MatrixBuilder {
     model::Record record_;
 };
 
-inline MatrixBuilder a_matrix() {
-    return {};
-}
+inline MatrixBuilder a_matrix() { return {}; }
 
 struct TrenchOptions {
     std::size_t units = 100;
@@ -95,10 +93,12 @@ struct TrenchOptions {
 /// built. Relations are stated between what touches, so some are redundant. Unit 1 is the latest.
 inline model::Record a_trench(const TrenchOptions& options) {
     using model::UnitKind;
+
     struct Laid {
         UnitKind kind;
         std::vector<std::pair<std::size_t, model::RelationKind>> below;
     };
+
     std::mt19937 random(options.seed);
     const auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
     std::vector<Laid> laid = {{UnitKind::Natural, {}}};
@@ -143,7 +143,7 @@ struct RandomMatrixOptions {
     std::size_t units = 12;
     std::size_t relations = 20;
     std::uint32_t seed = 1;
-    bool cycles = false;         ///< relations in both directions
+    bool cycles = false; ///< relations in both directions
     bool contemporaries = false;
     bool same_as = false;
     bool uncertain = false;
@@ -211,7 +211,8 @@ inline model::Record a_dense_record(const DenseOptions& options) {
         for (std::size_t k = 0; k < options.orders_each; ++k) {
             const std::size_t down = pick(8) == 0 ? 2 + pick(3) : 1;
             const std::size_t aside = pick(2 * options.reach + 1);
-            const std::size_t column = std::min(width - 1, (u % width) + aside - std::min(u % width + aside, options.reach));
+            const std::size_t column =
+                std::min(width - 1, (u % width) + aside - std::min(u % width + aside, options.reach));
             const std::size_t other = (u / width + down) * width + column;
             if (other >= options.units || std::find(below.begin(), below.end(), other) != below.end()) continue;
             below.push_back(other);

@@ -37,8 +37,7 @@ inline WholeCloud read_whole(scans::ScanReader& reader, std::size_t cloud = 0,
     options.misses = misses;
     options.block_points = block_points;
     whole.summary = reader.read(
-        cloud, [&](const scans::PointBlock& block) { append(whole.points, block); }, options,
-        Progress::none());
+        cloud, [&](const scans::PointBlock& block) { append(whole.points, block); }, options, Progress::none());
     return whole;
 }
 
@@ -58,10 +57,8 @@ inline std::unique_ptr<scans::ScanReader> open_file(const std::filesystem::path&
 inline std::string refusal(const std::string& bytes, scans::ScanFormat format) {
     try {
         const auto reader = open_bytes(bytes, format);
-        for (std::size_t i = 0; i < reader->clouds().size(); ++i)
-            read_whole(*reader, i);
-        for (std::size_t i = 0; i < reader->info().images.size(); ++i)
-            static_cast<void>(reader->read_image(i));
+        for (std::size_t i = 0; i < reader->clouds().size(); ++i) read_whole(*reader, i);
+        for (std::size_t i = 0; i < reader->info().images.size(); ++i) static_cast<void>(reader->read_image(i));
     } catch (const Error& e) {
         return e.code() == ErrorCode::BadInput ? e.what() : std::string("another code: ") + e.what();
     }

@@ -15,12 +15,8 @@ std::optional<std::filesystem::path> real_data(std::string_view relative) {
     return std::nullopt;
 }
 
-std::filesystem::path source_folder() {
-    return PLANUM_SOURCE_DIR;
-}
+std::filesystem::path source_folder() { return PLANUM_SOURCE_DIR; }
 
-std::filesystem::path binary_folder() {
-    return PLANUM_BINARY_DIR;
-}
+std::filesystem::path binary_folder() { return PLANUM_BINARY_DIR; }
 
 } // namespace planum::test

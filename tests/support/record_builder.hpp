@@ -21,11 +21,15 @@ class RecordBuilder {
     RecordBuilder& covers(std::string_view a, std::string_view b) {
         return relation(a, model::RelationKind::Covers, b);
     }
+
     RecordBuilder& cuts(std::string_view a, std::string_view b) { return relation(a, model::RelationKind::Cuts, b); }
+
     RecordBuilder& fills(std::string_view a, std::string_view b) { return relation(a, model::RelationKind::Fills, b); }
+
     RecordBuilder& same_as(std::string_view a, std::string_view b) {
         return relation(a, model::RelationKind::SameAs, b);
     }
+
     RecordBuilder& level(std::string_view unit, model::LevelRole role, double z);
 
     /// Sorted, as the project file gives it.
@@ -33,6 +37,7 @@ class RecordBuilder {
 
     /// For what the builder has no words for.
     [[nodiscard]] model::StratigraphicUnit& at(std::string_view number);
+
     [[nodiscard]] model::Record& raw() noexcept { return record_; }
 
   private:
@@ -40,8 +45,6 @@ class RecordBuilder {
     model::Record record_;
 };
 
-[[nodiscard]] inline RecordBuilder a_record() {
-    return {};
-}
+[[nodiscard]] inline RecordBuilder a_record() { return {}; }
 
 } // namespace planum::test

@@ -22,21 +22,15 @@ inline std::string ptx_header(std::int64_t columns, std::int64_t rows,
 
 inline std::string sample_ptx() {
     return ptx_header(2, 2, "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1\n") +
-           "1 2 3 0.25 10 20 30\n0 0 0 0.5 0 0 0\n-1.5 2.5e0 3 1 255 254 253\n4 5 6 0 1 2 3\n" +
-           ptx_header(1, 2) + "7.5 8 9 0.5\n1 1 1 0.75\n";
+           "1 2 3 0.25 10 20 30\n0 0 0 0.5 0 0 0\n-1.5 2.5e0 3 1 255 254 253\n4 5 6 0 1 2 3\n" + ptx_header(1, 2) +
+           "7.5 8 9 0.5\n1 1 1 0.75\n";
 }
 
-inline std::string sample_pts() {
-    return "2\n1.5 2 3 -2048 1 2 3\n4 5 6 2047 255 0 7\n";
-}
+inline std::string sample_pts() { return "2\n1.5 2 3 -2048 1 2 3\n4 5 6 2047 255 0 7\n"; }
 
-inline std::string sample_xyz() {
-    return "# remark\n1 2 3\n4.25 5 6\n-7 8 9e-1\n";
-}
+inline std::string sample_xyz() { return "# remark\n1 2 3\n4.25 5 6\n-7 8 9e-1\n"; }
 
-inline std::string sample_3d() {
-    return "100 200 300\n-50 0 25.5\n";
-}
+inline std::string sample_3d() { return "100 200 300\n-50 0 25.5\n"; }
 
 inline std::string sample_ply_ascii() {
     return "ply\nformat ascii 1.0\ncomment own\nelement camera 1\nproperty float f\nelement vertex "
@@ -51,16 +45,15 @@ template<class T>
 void put_value(std::string& out, T value, bool big_endian = false) {
     char bytes[sizeof(T)];
     std::memcpy(bytes, &value, sizeof(T));
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-        out.push_back(bytes[big_endian ? sizeof(T) - 1 - i : i]);
+    for (std::size_t i = 0; i < sizeof(T); ++i) out.push_back(bytes[big_endian ? sizeof(T) - 1 - i : i]);
 }
 
 inline std::string sample_ply_binary(bool big_endian) {
-    std::string out = fmt::format(
-        "ply\nformat binary_{}_endian 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
-        "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
-        "property ushort intensity\nend_header\n",
-        big_endian ? "big" : "little");
+    std::string out =
+        fmt::format("ply\nformat binary_{}_endian 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+                    "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+                    "property ushort intensity\nend_header\n",
+                    big_endian ? "big" : "little");
     for (int i = 0; i < 2; ++i) {
         put_value(out, 1.0 + 3 * i, big_endian);
         put_value(out, 2.0 + 3 * i, big_endian);
@@ -82,17 +75,14 @@ inline std::string sample_pcd_ascii() {
     return pcd_header("ascii") + "1 2 3 658188\nnan nan nan 0\n4 5 6 255\n7 8 9.5 65280\n";
 }
 
-inline std::vector<std::vector<float>> pcd_places() {
-    return {{1, NAN, 4, 7}, {2, NAN, 5, 8}, {3, NAN, 6, 9.5F}};
-}
+inline std::vector<std::vector<float>> pcd_places() { return {{1, NAN, 4, 7}, {2, NAN, 5, 8}, {3, NAN, 6, 9.5F}}; }
 
 inline std::string sample_pcd_binary() {
     std::string out = pcd_header("binary");
     const std::uint32_t colours[] = {658188, 0, 255, 65280};
     const auto places = pcd_places();
     for (std::size_t i = 0; i < 4; ++i) {
-        for (const auto& axis : places)
-            put_value(out, axis[i]);
+        for (const auto& axis : places) put_value(out, axis[i]);
         put_value(out, colours[i]);
     }
     return out;
@@ -102,11 +92,9 @@ inline std::string sample_pcd_binary() {
 inline std::string sample_pcd_compressed() {
     std::string flat;
     for (const auto& axis : pcd_places()) {
-        for (const float value : axis)
-            put_value(flat, value);
+        for (const float value : axis) put_value(flat, value);
     }
-    for (const std::uint32_t colour : {658188U, 0U, 255U, 65280U})
-        put_value(flat, colour);
+    for (const std::uint32_t colour : {658188U, 0U, 255U, 65280U}) put_value(flat, colour);
     std::string packed;
     for (std::size_t at = 0; at < flat.size(); at += 32) {
         const std::size_t count = std::min<std::size_t>(32, flat.size() - at);
@@ -133,8 +121,7 @@ inline std::string sample_las(const LasSample& sample = {}) {
     const int length = lengths[sample.format];
     std::string out(static_cast<std::size_t>(header_bytes), '\0');
     const auto put = [&](std::size_t at, std::uint64_t value, std::size_t bytes) {
-        for (std::size_t i = 0; i < bytes; ++i)
-            out[at + i] = static_cast<char>(value >> (8 * i));
+        for (std::size_t i = 0; i < bytes; ++i) out[at + i] = static_cast<char>(value >> (8 * i));
     };
     const auto put_real = [&](std::size_t at, double value) { std::memcpy(out.data() + at, &value, 8); };
     out.replace(0, 4, "LASF");
@@ -164,10 +151,7 @@ inline std::string sample_las(const LasSample& sample = {}) {
         put(at + 8, raw(-i), 4);
         put(at + 12, static_cast<std::uint64_t>(1000 * i), 2);
         const std::size_t time = sample.format >= 6 ? 22 : sample.format == 1 || sample.format == 3 ? 20 : 0;
-        const std::size_t colour = sample.format >= 7   ? 30
-                                   : sample.format == 2 ? 20
-                                   : sample.format == 3 ? 28
-                                                        : 0;
+        const std::size_t colour = sample.format >= 7 ? 30 : sample.format == 2 ? 20 : sample.format == 3 ? 28 : 0;
         if (time > 0) put_real(at + time, i + 0.5);
         for (std::size_t k = 0; k < 3 && colour > 0; ++k) {
             put(at + colour + 2 * k,
@@ -194,8 +178,8 @@ inline std::string sample_e57(std::size_t count = 500) {
         v[8][i] = n % 10 == 9 ? 2 : 0;
     }
     const auto scaled = [](const char* name, std::int64_t low, std::int64_t high, const char* scale) {
-        return fmt::format("<{} type=\"ScaledInteger\" minimum=\"{}\" maximum=\"{}\" scale=\"{}\"/>", name,
-                           low, high, scale);
+        return fmt::format("<{} type=\"ScaledInteger\" minimum=\"{}\" maximum=\"{}\" scale=\"{}\"/>", name, low, high,
+                           scale);
     };
     const auto integer = [](const char* name, std::int64_t high) {
         return fmt::format("<{} type=\"Integer\" minimum=\"0\" maximum=\"{}\"/>", name, high);

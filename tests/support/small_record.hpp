@@ -62,7 +62,8 @@ class SmallRecord {
         return relate(subject_id, kind, object_id, sides);
     }
 
-    SmallRecord& relate(model::UnitId subject, model::RelationKind kind, model::UnitId object, Sides sides = Sides::Both) {
+    SmallRecord& relate(model::UnitId subject, model::RelationKind kind, model::UnitId object,
+                        Sides sides = Sides::Both) {
         model::PhysicalRelation r;
         r.id = model::RelationId{ids_.next()};
         r.subject = subject;

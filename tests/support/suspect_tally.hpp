@@ -22,17 +22,23 @@ struct SuspectTally {
         among_three += other.among_three;
         cannot_tell += other.cannot_tell;
     }
+
     [[nodiscard]] double share_first() const { return cases == 0 ? 1.0 : static_cast<double>(first) / cases; }
+
     [[nodiscard]] double share_three() const { return cases == 0 ? 1.0 : static_cast<double>(among_three) / cases; }
 };
 
 inline model::RelationId suspected_relation(const model::Suspect& suspect) {
     struct Visitor {
         model::RelationId operator()(const model::SuspectRelation& s) const { return s.relation.relation; }
+
         model::RelationId operator()(const model::SuspectSameAs& s) const { return s.same_as.relation; }
+
         model::RelationId operator()(const model::SuspectNumber& s) const { return s.relation.relation; }
+
         model::RelationId operator()(const model::SuspectUnit&) const { return {}; }
     };
+
     return std::visit(Visitor{}, suspect.what);
 }
 

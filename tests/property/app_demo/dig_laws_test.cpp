@@ -22,14 +22,16 @@ DemoDig some_dig() {
     SimulationOptions options;
     options.size = DemoSize::Tiny;
     options.seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
-    options.method = *rc::gen::element(model::DigMethod::Stratigraphic, model::DigMethod::Planum, model::DigMethod::Mixed);
+    options.method =
+        *rc::gen::element(model::DigMethod::Stratigraphic, model::DigMethod::Planum, model::DigMethod::Mixed);
     return simulate(options, Progress::none());
 }
 
 // The sheets are true in time, and so free of cycles.
 void relations_are_true(const DemoDig& dig) {
     std::map<std::string, UnitNo> formed; // units are in the order of formation
-    for (std::size_t u = 0; u < dig.formation.units().size(); ++u) formed[dig.formation.units()[u].number] = static_cast<UnitNo>(u);
+    for (std::size_t u = 0; u < dig.formation.units().size(); ++u)
+        formed[dig.formation.units()[u].number] = static_cast<UnitNo>(u);
     RC_ASSERT(formed.size() == dig.formation.units().size());
     for (const RecordedRelation& r : dig.record.relations) {
         const auto kind = model::relation_from_any_word(r.relation);
@@ -49,10 +51,12 @@ void volumes_add_up(const DemoDig& dig) {
     Draw draw(dig.options.seed, 77);
     std::map<SurfaceNo, double> thrown;
     for (int i = 0; i < kPoints; ++i) {
-        const Vec3 p{draw.between(t.low.x, t.high.x), draw.between(t.low.y, t.high.y), draw.between(t.low.z, t.high.z + 0.2)};
+        const Vec3 p{draw.between(t.low.x, t.high.x), draw.between(t.low.y, t.high.y),
+                     draw.between(t.low.z, t.high.z + 0.2)};
         const Body body = dig.formation.body_at(p);
         if (body.unit == kAir) continue;
-        const SurfaceNo gone = dig.plan.gone_on(dig.formation.units()[static_cast<std::size_t>(body.unit)], body.unit, p);
+        const SurfaceNo gone =
+            dig.plan.gone_on(dig.formation.units()[static_cast<std::size_t>(body.unit)], body.unit, p);
         if (gone < dig.plan.surfaces) thrown[gone] += box / kPoints;
     }
     std::map<SurfaceNo, double> counted;
@@ -69,7 +73,8 @@ void ground_only_goes_down(const DemoDig& dig) {
     for (std::size_t s = 1; s < dig.maps.size(); ++s) {
         for (std::size_t i = 0; i < dig.grid->size(); ++i) {
             const SurfaceCell& cell = dig.maps[s][i];
-            if (cell.shown == SurfaceCell::Shown::Slump || dig.maps[s - 1][i].shown == SurfaceCell::Shown::Slump) continue;
+            if (cell.shown == SurfaceCell::Shown::Slump || dig.maps[s - 1][i].shown == SurfaceCell::Shown::Slump)
+                continue;
             RC_ASSERT(cell.z <= dig.maps[s - 1][i].z + 0.001F);
         }
     }

@@ -97,7 +97,8 @@ TEST_CASE("Derivatives of products and inverses agree with differences") {
         RC_ASSERT((by_second - product_by_second(a) * step).norm() < 1e-9);
         const Vector6 inverse = step_between(a.inverse(), moved(a, step).inverse());
         const Matrix6 outer = step * step.transpose();
-        RC_ASSERT((covariance_of_inverse(a, outer) - inverse * inverse.transpose()).norm() < 1e-3 * outer.norm() + 1e-16);
+        RC_ASSERT((covariance_of_inverse(a, outer) - inverse * inverse.transpose()).norm() <
+                  1e-3 * outer.norm() + 1e-16);
     }));
 }
 

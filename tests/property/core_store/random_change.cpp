@@ -30,21 +30,28 @@ class Dice {
 
     [[nodiscard]] double real() { return static_cast<double>(static_cast<int>(below(20001)) - 10000) / 7.0; }
 
-    template <class T>
+    template<class T>
     [[nodiscard]] auto id(const std::vector<T>& values) -> decltype(T::id) {
         return values.empty() || one_in(4) ? decltype(T::id){} : values[below(values.size())].id;
     }
 
-    template <class T>
-    [[nodiscard]] T& of(std::vector<T>& values) { return values[below(values.size())]; }
+    template<class T>
+    [[nodiscard]] T& of(std::vector<T>& values) {
+        return values[below(values.size())];
+    }
 
   private:
     std::mt19937 random_;
 };
 
-void shake(Dice& dice, const Record&, Area& v) { v.title = dice.text(), v.method = static_cast<DigMethod>(dice.below(3)); }
+void shake(Dice& dice, const Record&, Area& v) {
+    v.title = dice.text(), v.method = static_cast<DigMethod>(dice.below(3));
+}
+
 void shake(Dice& dice, const Record&, Source& v) { v.format = dice.text(), v.states_both_sides = dice.one_in(2); }
+
 void shake(Dice& dice, const Record&, Period& v) { v.title = dice.text(), v.from = static_cast<Year>(dice.below(99)); }
+
 void shake(Dice& dice, const Record& r, Phase& v) { v.description = dice.text(), v.period = dice.id(r.periods); }
 
 void shake(Dice& dice, const Record& r, StratigraphicUnit& v) {
@@ -71,13 +78,25 @@ void shake(Dice& dice, const Record& r, UnitGroup& v) {
 }
 
 void shake(Dice& dice, const Record&, Dating& v) { v.label = dice.text(), v.bp = dice.real(); }
+
 void shake(Dice& dice, const Record&, Level& v) { v.z = dice.real(), v.x = dice.real(), v.y = dice.real(); }
+
 void shake(Dice& dice, const Record& r, Find& v) { v.z = dice.real(), v.unit = dice.id(r.units), v.type = dice.text(); }
+
 void shake(Dice& dice, const Record& r, Sample& v) { v.state = dice.text(), v.unit = dice.id(r.units); }
+
 void shake(Dice& dice, const Record& r, Document& v) { v.path = dice.text(), v.unit = dice.id(r.units); }
-void shake(Dice& dice, const Record& r, Surface& v) { v.order = static_cast<std::int64_t>(dice.below(9)), v.area = dice.id(r.areas); }
+
+void shake(Dice& dice, const Record& r, Surface& v) {
+    v.order = static_cast<std::int64_t>(dice.below(9)), v.area = dice.id(r.areas);
+}
+
 void shake(Dice& dice, const Record&, Section& v) { v.to_in_site = {dice.real(), dice.real()}; }
-void shake(Dice& dice, const Record& r, Scan& v) { v.points = static_cast<std::int64_t>(dice.below(999)), v.surface = dice.id(r.surfaces); }
+
+void shake(Dice& dice, const Record& r, Scan& v) {
+    v.points = static_cast<std::int64_t>(dice.below(999)), v.surface = dice.id(r.surfaces);
+}
+
 void shake(Dice& dice, const Record&, RegistrationRun& v) { v.state = dice.text(); }
 
 void shake(Dice& dice, const Record& r, Region& v) {
@@ -101,7 +120,7 @@ void shake(Dice& dice, const Record& r, Interpretation& v) {
     }
 }
 
-template <class T>
+template<class T>
 T made(Dice& dice, const Record& record) {
     T value;
     if constexpr (requires { value.number; }) value.number = dice.fresh("n");
@@ -111,7 +130,7 @@ T made(Dice& dice, const Record& record) {
 }
 
 /// Inserts, updates or removes one record of one kind.
-template <class T>
+template<class T>
 void step(ProjectFile& project, Dice& dice, Record& record, std::vector<T>& values, bool removable) {
     if (values.empty() || dice.one_in(2)) {
         T value = made<T>(dice, record);
@@ -140,7 +159,8 @@ void relation_step(ProjectFile& project, Dice& dice, Record& record) {
     relation.kind = static_cast<RelationKind>(dice.below(9));
     relation.id = project.insert(relation);
     record.relations.push_back(relation);
-    project.insert(RelationStatement{{}, relation.id, StatementSide::Object, dice.id(record.sources), 3, "", dice.text(), ""});
+    project.insert(
+        RelationStatement{{}, relation.id, StatementSide::Object, dice.id(record.sources), 3, "", dice.text(), ""});
 }
 
 void level_step(ProjectFile& project, Dice& dice, Record& record) {
@@ -206,7 +226,8 @@ void make_random_change(ProjectFile& project, std::uint32_t seed) {
             return;
         }
         for (std::size_t steps = 1 + dice.below(6); steps > 0; --steps) any_step(project, dice, record);
-        if (dice.one_in(6)) project.insert(Decision{{}, dice.fresh("d"), "diagnostic", "accepted", dice.text(), "", 0.5, "Ada", ""});
+        if (dice.one_in(6))
+            project.insert(Decision{{}, dice.fresh("d"), "diagnostic", "accepted", dice.text(), "", 0.5, "Ada", ""});
         if (dice.one_in(6)) project.insert(ImportNote{{}, dice.id(record.sources), 4, "unparsed", dice.text(), ""});
     });
 }

@@ -80,7 +80,8 @@ TEST_CASE("Undo after do, and redo after undo, are nothing at all, whoever does 
             RC_ASSERT(look(file) == states[i]);
         }
         const ProjectFile project = ProjectFile::open(file, OpenMode::ReadOnly, environment.get());
-        for (const VerifyProblem& problem : project.verify(Progress::none())) RC_FAIL(problem.where + ": " + problem.what);
+        for (const VerifyProblem& problem : project.verify(Progress::none()))
+            RC_FAIL(problem.where + ": " + problem.what);
     });
     CHECK(holds);
 }

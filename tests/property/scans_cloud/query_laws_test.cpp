@@ -34,8 +34,8 @@ struct Bench {
         store->for_each(
             [&](const FoundPoints& found) {
                 for (std::size_t i = 0; i < found.points.size(); ++i) {
-                    all.push_back({{found.node, found.index[i]},
-                                   {found.points.x[i], found.points.y[i], found.points.z[i]}});
+                    all.push_back(
+                        {{found.node, found.index[i]}, {found.points.x[i], found.points.y[i], found.points.z[i]}});
                 }
             },
             Progress::none());
@@ -51,8 +51,7 @@ template<class Query>
 std::vector<PointRef> refs_of(Query query) {
     std::vector<PointRef> refs;
     query([&](const FoundPoints& found) {
-        for (const std::uint32_t index : found.index)
-            refs.push_back({found.node, index});
+        for (const std::uint32_t index : found.index) refs.push_back({found.node, index});
     });
     std::sort(refs.begin(), refs.end());
     return refs;
@@ -68,13 +67,9 @@ std::vector<PointRef> by_loop(Contains contains) {
 }
 
 /// In millimetres, so that rapidcheck has integers to shrink.
-double metres(int low, int high) {
-    return 0.001 * *rc::gen::inRange(1000 * low, 1000 * high);
-}
+double metres(int low, int high) { return 0.001 * *rc::gen::inRange(1000 * low, 1000 * high); }
 
-Eigen::Vector3d anywhere() {
-    return {metres(-15, 12), metres(-6, 16), metres(-3, 5)};
-}
+Eigen::Vector3d anywhere() { return {metres(-15, 12), metres(-6, 16), metres(-3, 5)}; }
 
 Eigen::Vector3d direction() {
     const Eigen::Vector3d d(metres(-1, 1), metres(-1, 1), metres(-1, 1));
@@ -99,11 +94,9 @@ TEST_CASE("A box holds what a loop finds in it") {
 TEST_CASE("A prism in any frame holds what a loop finds in it") {
     CHECK(rc::check([] {
         Prism prism;
-        prism.prism_from_scan =
-            Eigen::Translation3d(anywhere()) * Eigen::AngleAxisd(metres(-3, 3), direction());
+        prism.prism_from_scan = Eigen::Translation3d(anywhere()) * Eigen::AngleAxisd(metres(-3, 3), direction());
         const int corners = *rc::gen::inRange(3, 9);
-        for (int i = 0; i < corners; ++i)
-            prism.corners.emplace_back(metres(-12, 12), metres(-12, 12));
+        for (int i = 0; i < corners; ++i) prism.corners.emplace_back(metres(-12, 12), metres(-12, 12));
         const double a = metres(-5, 5);
         const double b = metres(-5, 5);
         prism.z_minimum = std::min(a, b);
@@ -120,16 +113,14 @@ TEST_CASE("A frustum without a limit holds what a loop finds, with one a part of
         const int planes = *rc::gen::inRange(1, 7);
         for (int i = 0; i < planes; ++i) {
             const Eigen::Vector3d normal = direction();
-            frustum.planes.emplace_back(normal.x(), normal.y(), normal.z(),
-                                        metres(-2, 8) - normal.dot(frustum.eye));
+            frustum.planes.emplace_back(normal.x(), normal.y(), normal.z(), metres(-2, 8) - normal.dot(frustum.eye));
         }
         const auto expected = by_loop([&](const Eigen::Vector3d& x) { return frustum.contains(x); });
         RC_ASSERT(refs_of([&](const FoundSink& sink) {
                       bench().store->in_frustum(frustum, bench().all.size(), sink);
                   }) == expected);
         const auto budget = static_cast<std::uint64_t>(*rc::gen::inRange(0, 60000));
-        const auto some =
-            refs_of([&](const FoundSink& sink) { bench().store->in_frustum(frustum, budget, sink); });
+        const auto some = refs_of([&](const FoundSink& sink) { bench().store->in_frustum(frustum, budget, sink); });
         RC_ASSERT(some.size() <= budget);
         RC_ASSERT(std::includes(expected.begin(), expected.end(), some.begin(), some.end()));
     }));

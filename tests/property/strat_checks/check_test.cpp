@@ -23,8 +23,8 @@ std::vector<Stated> any_relations(int units, std::size_t most) {
     std::vector<Stated> stated;
     const auto n = *rc::gen::inRange<std::size_t>(1, most + 1);
     for (std::size_t i = 0; i < n; ++i) {
-        const auto kind = *rc::gen::element(RelationKind::Covers, RelationKind::Cuts, RelationKind::Fills, RelationKind::Abuts,
-                                            RelationKind::SameAs, RelationKind::Contemporary);
+        const auto kind = *rc::gen::element(RelationKind::Covers, RelationKind::Cuts, RelationKind::Fills,
+                                            RelationKind::Abuts, RelationKind::SameAs, RelationKind::Contemporary);
         int subject = *rc::gen::inRange(1, units + 1);
         int object = *rc::gen::inRange(1, units + 1);
         if (model::is_symmetric(kind)) {
@@ -51,7 +51,8 @@ std::vector<std::string> shown(test::SmallRecord& r) {
     std::vector<std::string> lines;
     for (const model::Diagnostic& d : r.check().diagnostics) {
         std::string line = d.id + " " + d.code + " " + d.message + " " + d.evidence_hash;
-        for (const model::Suspect& s : d.suspects) line += " " + std::to_string(s.score) + (s.reasons.empty() ? "" : s.reasons.front());
+        for (const model::Suspect& s : d.suspects)
+            line += " " + std::to_string(s.score) + (s.reasons.empty() ? "" : s.reasons.front());
         lines.push_back(line);
     }
     return lines;

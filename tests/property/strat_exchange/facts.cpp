@@ -33,10 +33,8 @@ void add_unit(Facts& facts, const std::string& name, const model::StratigraphicU
     add(facts, "title", name, u.title);
     add(facts, "description", name, u.description);
     add(facts, "field", name, u.interpretation);
-    add(facts, "field", name,
-        u.excavated_from + "/" + u.excavated_on + "/" + u.recorded_by + "/" + u.recorded_on);
-    for (const auto& [key, value] : u.details)
-        add(facts, "field", name, key + "=" + value);
+    add(facts, "field", name, u.excavated_from + "/" + u.excavated_on + "/" + u.recorded_by + "/" + u.recorded_on);
+    for (const auto& [key, value] : u.details) add(facts, "field", name, key + "=" + value);
 }
 
 void add_relation(Facts& facts, const std::string& a, RelationKind kind, const std::string& b,
@@ -44,8 +42,7 @@ void add_relation(Facts& facts, const std::string& a, RelationKind kind, const s
     const bool swap = model::is_symmetric(kind) && b < a;
     const std::string pair = swap ? b + " > " + a : a + " > " + b;
     facts.insert(fmt::format("{} {}", model::to_word(kind), pair));
-    facts.insert(
-        fmt::format("exact {} {} {} {}", pair, model::to_word(kind), model::to_word(certainty), correlation));
+    facts.insert(fmt::format("exact {} {} {} {}", pair, model::to_word(kind), model::to_word(certainty), correlation));
     if (model::time_meaning(kind) == model::TimeMeaning::SubjectLater) {
         facts.insert("order " + pair);
         facts.insert((kind == RelationKind::Later ? "after " : "above ") + pair);
@@ -59,14 +56,13 @@ std::string chronology(const Value& c) {
 }
 
 std::string find_text(const model::Find& f) {
-    return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", f.number, text(f.x), text(f.y), text(f.z),
-                       f.type, f.material, text(f.count), text(f.weight), f.condition, f.box, f.found_on,
-                       f.description);
+    return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", f.number, text(f.x), text(f.y), text(f.z), f.type,
+                       f.material, text(f.count), text(f.weight), f.condition, f.box, f.found_on, f.description);
 }
 
 std::string sample_text(const model::Sample& s) {
-    return fmt::format("{}|{}|{}|{}|{}|{}|{}", s.number, s.type, text(s.volume), text(s.weight),
-                       s.laboratory_number, s.state, s.description);
+    return fmt::format("{}|{}|{}|{}|{}|{}|{}", s.number, s.type, text(s.volume), text(s.weight), s.laboratory_number,
+                       s.state, s.description);
 }
 
 std::string document_text(const model::Document& d) {
@@ -74,8 +70,8 @@ std::string document_text(const model::Document& d) {
 }
 
 std::string dating_text(const model::Dating& d) {
-    return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", d.label, model::to_word(d.kind), text(d.from), text(d.to),
-                       text(d.bp), text(d.bp_error), d.association, d.notes);
+    return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", d.label, model::to_word(d.kind), text(d.from), text(d.to), text(d.bp),
+                       text(d.bp_error), d.association, d.notes);
 }
 
 std::string level_text(const model::Level& l) {
@@ -83,8 +79,7 @@ std::string level_text(const model::Level& l) {
 }
 
 std::string area_text(const model::Area& a) {
-    return fmt::format("{}|{}|{}|{}|{}", a.name, a.title, model::to_word(a.method), a.first_number,
-                       a.last_number);
+    return fmt::format("{}|{}|{}|{}|{}", a.name, a.title, model::to_word(a.method), a.first_number, a.last_number);
 }
 
 std::string group_text(const model::UnitGroup& g) {
@@ -150,8 +145,7 @@ Facts facts_of(const model::Record& record, Naming naming) {
     Facts facts;
     const Names names{record, naming};
     add(facts, "project", "", record.settings.name);
-    for (const auto& a : record.areas)
-        add(facts, "area", "", area_text(a));
+    for (const auto& a : record.areas) add(facts, "area", "", area_text(a));
     for (const auto& u : record.units) {
         const std::string name = names.unit(u.id);
         facts.insert("anyunit " + name);
@@ -169,42 +163,31 @@ Facts facts_of(const model::Record& record, Naming naming) {
     }
     for (const auto& s : record.statements) {
         const auto& r = *relations.at(s.relation);
-        const std::string sheet =
-            s.side == model::StatementSide::Neither
-                ? "no sheet"
-                : names.unit(s.side == model::StatementSide::Object ? r.object : r.subject);
+        const std::string sheet = s.side == model::StatementSide::Neither
+                                      ? "no sheet"
+                                      : names.unit(s.side == model::StatementSide::Object ? r.object : r.subject);
         facts.insert(fmt::format("said {} {} {} by {}", model::to_word(r.kind),
                                  fmt::join(std::set{names.unit(r.subject), names.unit(r.object)}, ","), sheet,
                                  s.person));
     }
-    for (const auto& p : record.periods)
-        add(facts, "period", p.number, chronology(p));
+    for (const auto& p : record.periods) add(facts, "period", p.number, chronology(p));
     for (const auto& p : record.phases)
         add(facts, "phase", names.phase(p.id), chronology(p) + "|" + names.period(p.period));
-    for (const auto& p : record.periods)
-        add(facts, "periodtitle", p.number, p.title + "|" + p.description);
-    for (const auto& p : record.phases)
-        add(facts, "phasetitle", names.phase(p.id), p.title + "|" + p.description);
-    for (const auto& p : record.phases)
-        add(facts, "phaseperiod", names.phase(p.id), names.period(p.period));
+    for (const auto& p : record.periods) add(facts, "periodtitle", p.number, p.title + "|" + p.description);
+    for (const auto& p : record.phases) add(facts, "phasetitle", names.phase(p.id), p.title + "|" + p.description);
+    for (const auto& p : record.phases) add(facts, "phaseperiod", names.phase(p.id), names.period(p.period));
     for (const auto& g : record.groups) {
         add(facts, "group", g.number, group_text(g));
         add(facts, "groupparent", g.number, names.group(g.parent));
-        for (const auto& m : g.members)
-            add(facts, "member", g.number, names.unit(m));
+        for (const auto& m : g.members) add(facts, "member", g.number, names.unit(m));
     }
-    for (const auto& l : record.levels)
-        add(facts, "level", names.unit(l.unit), level_text(l));
-    for (const auto& f : record.finds)
-        add(facts, "find", names.unit(f.unit), find_text(f));
-    for (const auto& s : record.samples)
-        add(facts, "sample", names.unit(s.unit), sample_text(s));
-    for (const auto& d : record.documents)
-        add(facts, "document", names.unit(d.unit), document_text(d));
+    for (const auto& l : record.levels) add(facts, "level", names.unit(l.unit), level_text(l));
+    for (const auto& f : record.finds) add(facts, "find", names.unit(f.unit), find_text(f));
+    for (const auto& s : record.samples) add(facts, "sample", names.unit(s.unit), sample_text(s));
+    for (const auto& d : record.documents) add(facts, "document", names.unit(d.unit), document_text(d));
     for (const auto& d : record.datings) {
         std::string find;
-        for (const auto& f : record.finds)
-            find = f.id == d.find ? f.number : find;
+        for (const auto& f : record.finds) find = f.id == d.find ? f.number : find;
         add(facts, "dating", names.unit(d.unit), dating_text(d) + "|" + find);
     }
     return facts;
@@ -213,8 +196,7 @@ Facts facts_of(const model::Record& record, Naming naming) {
 Facts facts_of(const strat::ImportedRecord& record) {
     Facts facts;
     add(facts, "project", "", record.project_name);
-    for (const auto& a : record.areas)
-        add(facts, "area", "", area_text(a));
+    for (const auto& a : record.areas) add(facts, "area", "", area_text(a));
     for (const auto& u : record.units) {
         const std::string name = text_of(u.name);
         facts.insert("anyunit " + name);
@@ -233,35 +215,25 @@ Facts facts_of(const strat::ImportedRecord& record) {
         const std::string sheet = r.side == model::StatementSide::Neither  ? "no sheet"
                                   : r.side == model::StatementSide::Object ? b
                                                                            : a;
-        facts.insert(fmt::format("said {} {} {} by {}", model::to_word(r.kind),
-                                 fmt::join(std::set{a, b}, ","), sheet, r.person));
+        facts.insert(fmt::format("said {} {} {} by {}", model::to_word(r.kind), fmt::join(std::set{a, b}, ","), sheet,
+                                 r.person));
     }
-    for (const auto& p : record.periods)
-        add(facts, "period", p.number, chronology(p));
-    for (const auto& p : record.phases)
-        add(facts, "phase", p.values.number, chronology(p.values) + "|" + p.period);
-    for (const auto& p : record.periods)
-        add(facts, "periodtitle", p.number, p.title + "|" + p.description);
+    for (const auto& p : record.periods) add(facts, "period", p.number, chronology(p));
+    for (const auto& p : record.phases) add(facts, "phase", p.values.number, chronology(p.values) + "|" + p.period);
+    for (const auto& p : record.periods) add(facts, "periodtitle", p.number, p.title + "|" + p.description);
     for (const auto& p : record.phases)
         add(facts, "phasetitle", p.values.number, p.values.title + "|" + p.values.description);
-    for (const auto& p : record.phases)
-        add(facts, "phaseperiod", p.values.number, p.period);
+    for (const auto& p : record.phases) add(facts, "phaseperiod", p.values.number, p.period);
     for (const auto& g : record.groups) {
         add(facts, "group", g.values.number, group_text(g.values));
         add(facts, "groupparent", g.values.number, g.parent);
-        for (const auto& m : g.members)
-            add(facts, "member", g.values.number, text_of(m));
+        for (const auto& m : g.members) add(facts, "member", g.values.number, text_of(m));
     }
-    for (const auto& l : record.levels)
-        add(facts, "level", text_of(l.unit), level_text(l.values));
-    for (const auto& f : record.finds)
-        add(facts, "find", text_of(f.unit), find_text(f.values));
-    for (const auto& s : record.samples)
-        add(facts, "sample", text_of(s.unit), sample_text(s.values));
-    for (const auto& d : record.documents)
-        add(facts, "document", text_of(d.unit), document_text(d.values));
-    for (const auto& d : record.datings)
-        add(facts, "dating", text_of(d.unit), dating_text(d.values) + "|" + d.find);
+    for (const auto& l : record.levels) add(facts, "level", text_of(l.unit), level_text(l.values));
+    for (const auto& f : record.finds) add(facts, "find", text_of(f.unit), find_text(f.values));
+    for (const auto& s : record.samples) add(facts, "sample", text_of(s.unit), sample_text(s.values));
+    for (const auto& d : record.documents) add(facts, "document", text_of(d.unit), document_text(d.values));
+    for (const auto& d : record.datings) add(facts, "dating", text_of(d.unit), dating_text(d.values) + "|" + d.find);
     return facts;
 }
 

@@ -15,8 +15,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-const Texts kNumbers = {"1", "2", "3",     "12",   "12a", "1297+",
-                        "+", "-", "41/61", "B.36", "ü7",  "99999999999999999999"};
+const Texts kNumbers = {"1", "2", "3", "12", "12a", "1297+", "+", "-", "41/61", "B.36", "ü7", "99999999999999999999"};
 const Texts kWildNumbers = {"B. 36", "101/1C or 111/1C", "=1+1", "@x", "'5", "Σ8", "a\"b", "<1>&2", "T;U"};
 const Texts kCommaNumbers = {"7,8"};
 const Texts kPlainTexts = {"", "floor", "Küche", "a - dash", "=1+1 is two", "'s"};
@@ -44,9 +43,7 @@ class Drawer {
     }
 
   private:
-    [[nodiscard]] static std::size_t below(std::size_t limit) {
-        return *rc::gen::inRange<std::size_t>(0, limit);
-    }
+    [[nodiscard]] static std::size_t below(std::size_t limit) { return *rc::gen::inRange<std::size_t>(0, limit); }
 
     [[nodiscard]] static bool chance(std::size_t one_in) { return below(one_in) == 0; }
 
@@ -56,9 +53,7 @@ class Drawer {
 
     [[nodiscard]] std::string title() const { return shape_.plain_titles ? text(kPlainTexts) : wild(); }
 
-    [[nodiscard]] static std::string day() {
-        return chance(2) ? "" : "2025-06-0" + std::to_string(1 + below(9));
-    }
+    [[nodiscard]] static std::string day() { return chance(2) ? "" : "2025-06-0" + std::to_string(1 + below(9)); }
 
     template<class Id>
     [[nodiscard]] Id id() {
@@ -87,8 +82,7 @@ class Drawer {
 
     void draw_areas() {
         for (std::size_t i = 0, n = below(3); i < n; ++i) {
-            model::Area area{
-                id<model::AreaId>(), i == 0 ? "A" : "Süd", title(), model::DigMethod::Mixed, "", "100"};
+            model::Area area{id<model::AreaId>(), i == 0 ? "A" : "Süd", title(), model::DigMethod::Mixed, "", "100"};
             record_.areas.push_back(std::move(area));
         }
     }
@@ -99,16 +93,9 @@ class Drawer {
                 {id<model::PeriodId>(), "P" + std::to_string(i), wild(), wild(), year(), year(), {}});
         }
         for (std::size_t i = 0, n = below(4); i < n; ++i) {
-            model::Phase phase{id<model::PhaseId>(),
-                               i == 3 ? "I" : std::string(i + 1, 'I'),
-                               wild(),
-                               wild(),
-                               {},
-                               year(),
-                               year(),
-                               7};
-            if (!record_.periods.empty() && chance(2))
-                phase.period = record_.periods[below(record_.periods.size())].id;
+            model::Phase phase{
+                id<model::PhaseId>(), i == 3 ? "I" : std::string(i + 1, 'I'), wild(), wild(), {}, year(), year(), 7};
+            if (!record_.periods.empty() && chance(2)) phase.period = record_.periods[below(record_.periods.size())].id;
             record_.phases.push_back(std::move(phase));
         }
     }
@@ -206,9 +193,8 @@ class Drawer {
 
     void draw_measured() {
         for (std::size_t i = 0, n = below(3); i < n; ++i) {
-            record_.levels.push_back({id<model::LevelId>(), some_unit(), number(), number(),
-                                      number().value_or(0.0), static_cast<model::LevelRole>(below(4)),
-                                      wild()});
+            record_.levels.push_back({id<model::LevelId>(), some_unit(), number(), number(), number().value_or(0.0),
+                                      static_cast<model::LevelRole>(below(4)), wild()});
             model::Find find;
             find.id = id<model::FindId>();
             find.number = "F" + std::to_string(i);

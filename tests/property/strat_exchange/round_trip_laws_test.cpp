@@ -17,8 +17,7 @@ namespace planum::model {
 
 // A record is shown by its facts.
 void showValue(const Record& record, std::ostream& os) {
-    for (const std::string& fact : test::facts_of(record, test::Naming::Full))
-        os << fact << '\n';
+    for (const std::string& fact : test::facts_of(record, test::Naming::Full)) os << fact << '\n';
 }
 
 } // namespace planum::model
@@ -27,16 +26,14 @@ namespace {
 
 using Tags = std::set<std::string, std::less<>>;
 
-const Tags kEverything = {"area",        "unit",   "kind",    "form",     "status",      "title",
-                          "description", "field",  "inphase", "inperiod", "parent",      "exact",
-                          "said",        "period", "phase",   "group",    "groupparent", "member",
-                          "level",       "find",   "sample",  "document", "dating"};
+const Tags kEverything = {"area",        "unit",     "kind",   "form",  "status", "title",    "description", "field",
+                          "inphase",     "inperiod", "parent", "exact", "said",   "period",   "phase",       "group",
+                          "groupparent", "member",   "level",  "find",  "sample", "document", "dating"};
 
 // A comma in the number of a unit without a sheet: the one thing that our tables say they lose.
 bool has_list_like_mention(const model::Record& record) {
     return std::any_of(record.units.begin(), record.units.end(), [](const model::StratigraphicUnit& unit) {
-        return unit.origin == model::UnitOrigin::Mentioned &&
-               unit.number.find_first_of(",;") != std::string::npos;
+        return unit.origin == model::UnitOrigin::Mentioned && unit.number.find_first_of(",;") != std::string::npos;
     });
 }
 
@@ -59,14 +56,13 @@ Imported<ImportedRecord> read_back(const Writer& writer, const Written& written)
     RC_ASSERT(plan.size() == 1U);
     RC_ASSERT(plan.front().reader->format == writer.format);
     std::vector<const InputFile*> chosen;
-    for (const std::size_t i : plan.front().files)
-        chosen.push_back(&files.at(i));
+    for (const std::size_t i : plan.front().files) chosen.push_back(&files.at(i));
     RC_ASSERT(chosen.size() == files.size());
     return plan.front().reader->read(chosen, {}, Progress::none());
 }
 
-void check_round_trip(std::string_view format, const model::Record& record, test::Naming naming,
-                      const Tags& tags, const WriteOptions& options = {}) {
+void check_round_trip(std::string_view format, const model::Record& record, test::Naming naming, const Tags& tags,
+                      const WriteOptions& options = {}) {
     const Writer& writer = writer_for(format);
     const Written written = writer.write(record, options);
     RC_ASSERT(writer.write(record, options).files.front().bytes == written.files.front().bytes);
@@ -100,9 +96,8 @@ TEST_CASE("A .lst holds units, titles, order, same, contemporary and groups") {
     CHECK(rc::check("read(write(x)) = x", [] {
         const auto record = *test::generated_record({true, true, true, true});
         RC_PRE(!record.units.empty());
-        check_round_trip(
-            "lst", record, test::Naming::Short,
-            {"anyunit", "anytitle", "order", "same_as", "sametime", "member", "groupparent", "project"});
+        check_round_trip("lst", record, test::Naming::Short,
+                         {"anyunit", "anytitle", "order", "same_as", "sametime", "member", "groupparent", "project"});
     }));
 }
 
@@ -111,8 +106,8 @@ TEST_CASE("An .hmcx holds units, kinds it knows, phases, periods, order with and
         const auto record = *test::generated_record({});
         RC_PRE(!record.units.empty());
         check_round_trip("hmcx", record, test::Naming::Short,
-                         {"anyunit", "anytitle", "above", "after", "sametime", "inphase", "inperiod",
-                          "natural", "periodtitle", "phasetitle", "phaseperiod", "project"});
+                         {"anyunit", "anytitle", "above", "after", "sametime", "inphase", "inperiod", "natural",
+                          "periodtitle", "phasetitle", "phaseperiod", "project"});
     }));
 }
 
@@ -121,8 +116,8 @@ TEST_CASE("An HMC table holds what an .hmcx holds") {
         const auto record = *test::generated_record({false, true, false, false});
         RC_PRE(!record.units.empty());
         check_round_trip("hmc-csv", record, test::Naming::Short,
-                         {"anyunit", "anytitle", "above", "after", "sametime", "inphase", "inperiod",
-                          "natural", "periodtitle", "phasetitle", "phaseperiod", "project"});
+                         {"anyunit", "anytitle", "above", "after", "sametime", "inphase", "inperiod", "natural",
+                          "periodtitle", "phasetitle", "phaseperiod", "project"});
     }));
 }
 
@@ -140,10 +135,10 @@ TEST_CASE("GraphML holds units with their fields, phases, groups, and relations 
         const auto record = *test::generated_record({false, false, false, true});
         RC_PRE(!record.units.empty());
         check_round_trip("graphml", record, test::Naming::Full,
-                         {"anyunit",  "anytitle", "kind",       "form",    "title",   "description", "inphase",
-                          "inperiod", "covers",   "cuts",       "fills",   "abuts",   "bonds_with",  "same_as",
-                          "borders",  "later",    "contemporary", "order", "above",   "after",       "sametime",
-                          "member",   "groupparent"});
+                         {"anyunit",    "anytitle", "kind",     "form",   "title",        "description",
+                          "inphase",    "inperiod", "covers",   "cuts",   "fills",        "abuts",
+                          "bonds_with", "same_as",  "borders",  "later",  "contemporary", "order",
+                          "above",      "after",    "sametime", "member", "groupparent"});
     }));
 }
 
@@ -154,8 +149,7 @@ TEST_CASE("Every writer writes every record, the same bytes each time") {
             const Written once = writer.write(record, {});
             const Written again = writer.write(record, {});
             RC_ASSERT(once.files.size() == again.files.size());
-            for (std::size_t i = 0; i < once.files.size(); ++i)
-                RC_ASSERT(once.files[i].bytes == again.files[i].bytes);
+            for (std::size_t i = 0; i < once.files.size(); ++i) RC_ASSERT(once.files[i].bytes == again.files[i].bytes);
         }
     }));
 }

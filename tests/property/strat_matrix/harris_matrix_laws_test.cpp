@@ -34,9 +34,7 @@ Reach closure(std::size_t nodes, const std::vector<strat::Order>& orders) {
     return reach;
 }
 
-std::vector<strat::Order> all_orders(const HarrisMatrix& m) {
-    return {m.orders().begin(), m.orders().end()};
-}
+std::vector<strat::Order> all_orders(const HarrisMatrix& m) { return {m.orders().begin(), m.orders().end()}; }
 
 std::vector<strat::Order> reduced_orders(const HarrisMatrix& m) {
     std::vector<strat::Order> orders;
@@ -109,7 +107,8 @@ TEST_CASE("Reachability, components and ranks agree with Warshall") {
         for (NodeIndex a = 0; a < matrix.node_count(); ++a) {
             for (NodeIndex b = 0; b < matrix.node_count(); ++b) {
                 RC_ASSERT(matrix.is_later(a, b) == reach[a][b]);
-                RC_ASSERT((matrix.component_of(a) == matrix.component_of(b)) == (a == b || (reach[a][b] && reach[b][a])));
+                RC_ASSERT((matrix.component_of(a) == matrix.component_of(b)) ==
+                          (a == b || (reach[a][b] && reach[b][a])));
                 RC_ASSERT(matrix.shortest_path(a, b).empty() != reach[a][b]);
             }
         }
@@ -157,14 +156,16 @@ TEST_CASE("Reduction in blocks of targets equals reduction pair by pair beyond o
     for (std::uint32_t a = 0; a + 1 < count; ++a) {
         for (int k = 0; k < 3; ++k) {
             state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-            const auto b = static_cast<std::uint32_t>(a + 1 + (state >> 33U) % std::min<std::size_t>(40, count - a - 1));
+            const auto b =
+                static_cast<std::uint32_t>(a + 1 + (state >> 33U) % std::min<std::size_t>(40, count - a - 1));
             pairs.emplace_back(a, b);
         }
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     const auto below = strat::Adjacency::make(
-        count, pairs.size(), [&](std::size_t i) { return pairs[i].first; }, [&](std::size_t i) { return pairs[i].second; });
+        count, pairs.size(), [&](std::size_t i) { return pairs[i].first; },
+        [&](std::size_t i) { return pairs[i].second; });
     const auto redundant = strat::redundant_pairs(below);
     const auto reaches = [&](std::uint32_t from, std::uint32_t to) {
         std::vector<std::uint32_t> open = {from};

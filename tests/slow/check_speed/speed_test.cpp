@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <ctime>
 #include <cstdio>
+#include <ctime>
 #include <string>
 
-#include "app/demo/record_generator.hpp"
 #include "app/demo/random.hpp"
+#include "app/demo/record_generator.hpp"
 #include "core/base/uuid.hpp"
 #include "strat/checks/check.hpp"
 #include "strat/checks/incremental.hpp"
@@ -27,7 +27,8 @@ double seconds_of(const auto& work) {
 double check_seconds(const model::Record& record, const char* what) {
     const auto matrix = strat::HarrisMatrix::build(record);
     std::size_t said = 0;
-    const double seconds = seconds_of([&] { said = strat::check(record, matrix, {}, {}, Progress::none()).diagnostics.size(); });
+    const double seconds =
+        seconds_of([&] { said = strat::check(record, matrix, {}, {}, Progress::none()).diagnostics.size(); });
     const auto& s = matrix.stats();
     std::printf("%-28s %6lld units %7zu relations %5lld groups, largest %6lld: %6.3f s, %zu diagnostics\n", what,
                 static_cast<long long>(s.units), record.relations.size(), static_cast<long long>(s.cycle_groups),
@@ -98,10 +99,13 @@ TEST_CASE("Adding one relation to 20,000 units is judged within ten milliseconds
     for (int i = 0; i < 2000; ++i) {
         const auto a = static_cast<strat::UnitIndex>(random.below(clean.record.units.size()));
         // Half of the pairs lie in one trench, where paths are.
-        const auto b = static_cast<strat::UnitIndex>(i % 2 == 0 ? random.below(clean.record.units.size())
-                                                                : std::min<std::size_t>(a + random.below(100), clean.record.units.size() - 1));
+        const auto b = static_cast<strat::UnitIndex>(
+            i % 2 == 0 ? random.below(clean.record.units.size())
+                       : std::min<std::size_t>(a + random.below(100), clean.record.units.size() - 1));
         strat::Prediction prediction;
-        worst = std::max(worst, seconds_of([&] { prediction = strat::predict(matrix, {a, model::RelationKind::Covers, b}); }));
+        worst = std::max(worst, seconds_of([&] {
+                             prediction = strat::predict(matrix, {a, model::RelationKind::Covers, b});
+                         }));
         closing += prediction.consequence == strat::Consequence::ClosesCycle ? 1 : 0;
     }
     std::printf("one relation: at most %.3f ms, %d of 2000 close a cycle\n", 1000.0 * worst, closing);

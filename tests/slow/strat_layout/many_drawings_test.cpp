@@ -24,7 +24,8 @@ TEST_CASE("Ten thousand random matrices, drawn and read back, are their reduced 
 
 TEST_CASE("Large trenches, drawn and read back, are their reduced matrices") {
     for (const std::size_t units : {700U, 2000U, 4000U}) {
-        const model::Record record = test::a_trench({.units = units, .seed = 11, .width = units / 10, .layer_reach = 8});
+        const model::Record record =
+            test::a_trench({.units = units, .seed = 11, .width = units / 10, .layer_reach = 8});
         INFO(units << " units");
         REQUIRE(test::broken_law(record, test::drawing_of(record)) == "");
     }

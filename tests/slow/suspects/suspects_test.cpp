@@ -17,13 +17,14 @@ struct NamedKind {
     const char* name;
 };
 
-constexpr std::array kStatements = {NamedKind{MistakeKind::Reversed, "reversed"}, NamedKind{MistakeKind::Transposed, "transposed"},
+constexpr std::array kStatements = {NamedKind{MistakeKind::Reversed, "reversed"},
+                                    NamedKind{MistakeKind::Transposed, "transposed"},
                                     NamedKind{MistakeKind::Mistyped, "mistyped"}};
 constexpr std::size_t kRecords = 150;
 
 void print(const char* record, const char* mistake, const test::SuspectTally& t) {
-    std::printf("%-22s %-12s %4d cycles  first %5.1f %%  first three %5.1f %%  cannot tell %d\n", record, mistake, t.cases,
-                100.0 * t.share_first(), 100.0 * t.share_three(), t.cannot_tell);
+    std::printf("%-22s %-12s %4d cycles  first %5.1f %%  first three %5.1f %%  cannot tell %d\n", record, mistake,
+                t.cases, 100.0 * t.share_first(), 100.0 * t.share_three(), t.cannot_tell);
 }
 
 test::SuspectTally all_of(const char* name, const app::RecordOptions& options, std::size_t least_cycle) {

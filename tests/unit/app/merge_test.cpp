@@ -26,6 +26,7 @@ struct Bench {
     app::MergePlan plan(const model::Record& record, const std::vector<ImportSet>& sets) {
         return plan_merge(record, sets, options, ids, clock);
     }
+
     model::Record merged(const model::Record& record, const std::vector<ImportSet>& sets) {
         return applied(record, plan(record, sets));
     }
@@ -69,7 +70,8 @@ TEST_CASE("Importing the same again plans nothing") {
     set.record.relations = {said("1", RelationKind::Covers, "2"),
                             said("1", RelationKind::Covers, "2", StatementSide::Object),
                             said("2", RelationKind::SameAs, "1"), said("2", RelationKind::Fills, "9")};
-    set.notes = {{"units.csv", 4, "unparsed", "???", "not understood"}, {"units.csv", 4, "unparsed", "???", "not understood"}};
+    set.notes = {{"units.csv", 4, "unparsed", "???", "not understood"},
+                 {"units.csv", 4, "unparsed", "???", "not understood"}};
     const auto first = bench.merged({}, {set});
     CHECK(first.units.size() == 3);
     CHECK(first.relations.size() == 3);
@@ -190,7 +192,8 @@ TEST_CASE("Symmetric relations are one, whichever side they are said from") {
 TEST_CASE("Notes of a source are those of its last reading") {
     Bench bench;
     auto set = a_set("units.csv");
-    set.notes = {{"units.csv", 4, "unparsed", "a", "not understood"}, {"units.csv", 5, "unparsed", "b", "not understood"}};
+    set.notes = {{"units.csv", 4, "unparsed", "a", "not understood"},
+                 {"units.csv", 5, "unparsed", "b", "not understood"}};
     const auto record = bench.merged({}, {set});
     set.sources[0].sha256 = "mended";
     set.notes.erase(set.notes.begin());

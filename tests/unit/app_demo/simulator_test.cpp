@@ -35,7 +35,8 @@ DemoDig dig_of(DemoSize size, model::DigMethod method, std::uint64_t seed = 3) {
 std::map<std::string, std::string> hashes(const fs::path& folder) {
     std::map<std::string, std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).generic_string()] = sha256_of_file(entry.path());
+        if (entry.is_regular_file())
+            all[fs::relative(entry.path(), folder).generic_string()] = sha256_of_file(entry.path());
     }
     return all;
 }
@@ -120,13 +121,16 @@ TEST_CASE("Scans hit the surface within their noise") {
                 sum += error * error;
                 ++count;
                 // Just before the hit is air, just behind it is ground.
-                const Vec3 before = scan.station.pose.to_site((static_cast<double>(back.true_range) - 0.002) * direction);
-                const Vec3 behind = scan.station.pose.to_site((static_cast<double>(back.true_range) + 0.002) * direction);
+                const Vec3 before =
+                    scan.station.pose.to_site((static_cast<double>(back.true_range) - 0.002) * direction);
+                const Vec3 behind =
+                    scan.station.pose.to_site((static_cast<double>(back.true_range) + 0.002) * direction);
                 if (!dig.site.trench.holds(behind.x, behind.y) || behind.z > dig.site.trench.high.z - 0.3) continue;
                 const auto solid = [&](const Vec3& p) {
                     const Body body = dig.formation.body_at(p);
                     return body.unit != kAir &&
-                           dig.plan.gone_on(dig.formation.units()[static_cast<std::size_t>(body.unit)], body.unit, p) > surface;
+                           dig.plan.gone_on(dig.formation.units()[static_cast<std::size_t>(body.unit)], body.unit, p) >
+                               surface;
                 };
                 ++inside;
                 INFO("column " << column << ", row " << row);
@@ -190,11 +194,17 @@ TEST_CASE("Outlines are within 3 cm of what they enclose") {
             for (double dy = -reach; dy <= reach; dy += 0.01) {
                 for (double dx = -reach; dx <= reach; dx += 0.01) {
                     if (dx * dx + dy * dy > reach * reach) continue;
-                    const auto column = static_cast<std::ptrdiff_t>(std::floor((p[0] + dx - dig.grid->x0()) / dig.grid->cell()));
-                    const auto row = static_cast<std::ptrdiff_t>(std::floor((p[1] + dy - dig.grid->y0()) / dig.grid->cell()));
-                    const bool off = column < 0 || row < 0 || column >= std::ssize(map) || static_cast<std::size_t>(column) >= dig.grid->columns() ||
+                    const auto column =
+                        static_cast<std::ptrdiff_t>(std::floor((p[0] + dx - dig.grid->x0()) / dig.grid->cell()));
+                    const auto row =
+                        static_cast<std::ptrdiff_t>(std::floor((p[1] + dy - dig.grid->y0()) / dig.grid->cell()));
+                    const bool off = column < 0 || row < 0 || column >= std::ssize(map) ||
+                                     static_cast<std::size_t>(column) >= dig.grid->columns() ||
                                      static_cast<std::size_t>(row) >= dig.grid->rows();
-                    const bool same = !off && map[static_cast<std::size_t>(row) * dig.grid->columns() + static_cast<std::size_t>(column)].unit == region.unit;
+                    const bool same =
+                        !off &&
+                        map[static_cast<std::size_t>(row) * dig.grid->columns() + static_cast<std::size_t>(column)]
+                                .unit == region.unit;
                     mine = mine || same;
                     other = other || !same;
                 }

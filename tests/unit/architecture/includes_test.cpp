@@ -62,15 +62,23 @@ std::string layer_of(const Layers& layers, const std::string& path) {
 // Which library a header in angle brackets belongs to; empty: the language's or the system's.
 std::string library_of(const std::string& header) {
     static const std::vector<std::pair<std::regex, std::string>> table = {
-        {std::regex("fmt/.*"), "fmt"},           {std::regex("openssl/.*"), "crypto"},
-        {std::regex("sqlite3\\.h"), "sqlite"},   {std::regex("boost/.*"), "boost_graph"},
-        {std::regex("Eigen/.*"), "eigen"},       {std::regex("pugixml\\.hpp"), "pugixml"},
-        {std::regex("nlohmann/.*"), "json"},     {std::regex("CLI/.*"), "cli11"},
-        {std::regex("archive.*\\.h"), "archive"}, {std::regex("xlsxwriter.*"), "xlsx"},
+        {std::regex("fmt/.*"), "fmt"},
+        {std::regex("openssl/.*"), "crypto"},
+        {std::regex("sqlite3\\.h"), "sqlite"},
+        {std::regex("boost/.*"), "boost_graph"},
+        {std::regex("Eigen/.*"), "eigen"},
+        {std::regex("pugixml\\.hpp"), "pugixml"},
+        {std::regex("nlohmann/.*"), "json"},
+        {std::regex("CLI/.*"), "cli11"},
+        {std::regex("archive.*\\.h"), "archive"},
+        {std::regex("xlsxwriter.*"), "xlsx"},
         {std::regex("(graphviz/.*|gvc\\.h|cgraph\\.h)"), "graphviz"},
-        {std::regex("geos.*"), "geos"},          {std::regex("proj.*\\.h"), "proj"},
-        {std::regex("opencv2/.*"), "opencv"},    {std::regex("nanoflann\\.hpp"), "nanoflann"},
-        {std::regex("png\\.h"), "png"},          {std::regex("(jpeglib|jerror)\\.h"), "jpeg"},
+        {std::regex("geos.*"), "geos"},
+        {std::regex("proj.*\\.h"), "proj"},
+        {std::regex("opencv2/.*"), "opencv"},
+        {std::regex("nanoflann\\.hpp"), "nanoflann"},
+        {std::regex("png\\.h"), "png"},
+        {std::regex("(jpeglib|jerror)\\.h"), "jpeg"},
         {std::regex("Q(Widget|MainWindow|Dialog|Application|DockWidget|.*View|.*Button|.*Edit|OpenGL.*)"), "qtwidgets"},
         {std::regex("Q[A-Z].*"), "qtgui"},
     };
@@ -128,7 +136,8 @@ TEST_CASE("No file includes what the layer table does not allow") {
 }
 
 TEST_CASE("The include test sees an include that the table does not allow") {
-    std::istringstream table("core/base : |\ncore/model : core/base |\nstrat/matrix : core/base core/model | boost_graph\n");
+    std::istringstream table(
+        "core/base : |\ncore/model : core/base |\nstrat/matrix : core/base core/model | boost_graph\n");
     const Layers layers = read_layers(table);
     std::istringstream upwards("#include \"strat/matrix/harris_matrix.hpp\"\n");
     CHECK(violations(layers, "core/model/unit.cpp", upwards).size() == 1);
@@ -157,7 +166,8 @@ TEST_CASE("A source file includes its own header first, so that the header is pr
             for (std::string line; first.empty() && std::getline(in, line);) {
                 if (std::regex_match(line, match, include)) first = match[1];
             }
-            if (first != fs::relative(header, root).generic_string()) bad.push_back(entry.path().string() + " begins with " + first);
+            if (first != fs::relative(header, root).generic_string())
+                bad.push_back(entry.path().string() + " begins with " + first);
         }
     }
     CHECK(files > 20);

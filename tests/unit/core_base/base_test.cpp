@@ -33,8 +33,7 @@ TEST_CASE("An id reads back from its text, and nothing else does") {
     }
     CHECK_FALSE(Uuid::parse("").has_value());
     CHECK_FALSE(Uuid::parse("0123456789abcdef0123456789abcdef0123").has_value());
-    CHECK(Uuid::parse("0123ABCD-0000-7000-8000-0000000000ff")->to_string() ==
-          "0123abcd-0000-7000-8000-0000000000ff");
+    CHECK(Uuid::parse("0123ABCD-0000-7000-8000-0000000000ff")->to_string() == "0123abcd-0000-7000-8000-0000000000ff");
 }
 
 TEST_CASE("Ids made one after the other sort in that order, so that indexes grow at their end") {

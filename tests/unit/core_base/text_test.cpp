@@ -21,17 +21,24 @@ TEST_CASE("Natural order compares numbers longer than any integer type") {
 }
 
 TEST_CASE("Windows-1252 and Latin-1 become UTF-8 and go back") {
-    CHECK(text::from_latin1("Gr\xE4" "ber \x80") == "Gräber €");
+    CHECK(text::from_latin1("Gr\xE4"
+                            "ber \x80") == "Gräber €");
     std::size_t lost = 0;
-    CHECK(text::to_latin1("Gräber", &lost) == "Gr\xE4" "ber");
+    CHECK(text::to_latin1("Gräber", &lost) == "Gr\xE4"
+                                              "ber");
     CHECK(lost == 0);
     CHECK(text::to_latin1("Ωx", &lost) == "?x");
     CHECK(lost == 1);
 }
 
 TEST_CASE("Control characters and broken UTF-8 are replaced and counted") {
-    const text::Cleaned cleaned = text::clean_utf8(std::string_view("a\r\nb\x01" "c\xFF" "d\te\r", 10));
-    CHECK(cleaned.text == "a\nb\xEF\xBF\xBD" "c\xEF\xBF\xBD" "d\te");
+    const text::Cleaned cleaned = text::clean_utf8(std::string_view("a\r\nb\x01"
+                                                                    "c\xFF"
+                                                                    "d\te\r",
+                                                                    10));
+    CHECK(cleaned.text == "a\nb\xEF\xBF\xBD"
+                          "c\xEF\xBF\xBD"
+                          "d\te");
     CHECK(cleaned.replaced == 2);
     CHECK(text::clean_utf8("x\ry").text == "x\ny");
 }

@@ -45,7 +45,8 @@ TEST_CASE("A number used in two areas is named with its area, any other without"
     Record record;
     record.areas = {{AreaId{{0, 1}}, "A", "", DigMethod::Stratigraphic, "", ""},
                     {AreaId{{0, 2}}, "B", "", DigMethod::Stratigraphic, "", ""}};
-    for (const auto& [number, area, id] : {std::tuple{"2", 2U, 3U}, std::tuple{"10", 1U, 1U}, std::tuple{"2", 1U, 2U}}) {
+    for (const auto& [number, area, id] :
+         {std::tuple{"2", 2U, 3U}, std::tuple{"10", 1U, 1U}, std::tuple{"2", 1U, 2U}}) {
         StratigraphicUnit unit;
         unit.id = UnitId{{0, id}};
         unit.number = number;

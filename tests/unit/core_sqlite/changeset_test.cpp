@@ -25,7 +25,8 @@ Changeset some_changes(const Database& db) {
 }
 
 std::string dump(const Database& db) {
-    return db.text("SELECT group_concat(fid || ':' || a || ':' || coalesce(b, '-'), ' ') FROM (SELECT * FROM t ORDER BY fid)");
+    return db.text(
+        "SELECT group_concat(fid || ':' || a || ':' || coalesce(b, '-'), ' ') FROM (SELECT * FROM t ORDER BY fid)");
 }
 
 } // namespace

@@ -15,7 +15,7 @@ using namespace planum::sqlite;
 
 namespace {
 
-template <class Work>
+template<class Work>
 Error error_of_work(Work work) {
     try {
         work();
@@ -147,6 +147,4 @@ TEST_CASE("A long query ends when the user has asked to stop") {
     CHECK(error.code() == ErrorCode::Cancelled);
 }
 
-TEST_CASE("Identifiers are quoted so that they stay identifiers") {
-    CHECK(quote_identifier("a\"b") == "\"a\"\"b\"");
-}
+TEST_CASE("Identifiers are quoted so that they stay identifiers") { CHECK(quote_identifier("a\"b") == "\"a\"\"b\""); }

@@ -69,10 +69,11 @@ void fill_measured(ProjectFile& project, const Made& made) {
     project.insert(Level{{}, made.units[0], 10.5, 20.25, 103.75, LevelRole::Top, "L1"});
     project.insert(Level{{}, made.units[1], std::nullopt, std::nullopt, 103.5, LevelRole::Base, ""});
     project.insert(Level{{}, made.units[1], 11.0, std::nullopt, 103.25, LevelRole::Other, "half a place"});
-    const FindId find = project.insert(Find{{}, "F1", made.units[0], 10.0, 20.0, 103.6, "coin", "bronze", 1, 3.25,
-                                            "worn", "box 4", "2025-06-01", "as"});
+    const FindId find = project.insert(Find{
+        {}, "F1", made.units[0], 10.0, 20.0, 103.6, "coin", "bronze", 1, 3.25, "worn", "box 4", "2025-06-01", "as"});
     project.insert(Find{{}, "F2", {}, {}, {}, {}, "sherds", "", 12, {}, "", "", "", ""});
-    project.insert(Dating{{}, "coin F1", made.units[0], find, DatingKind::Coin, -50, std::nullopt, {}, {}, "direct", ""});
+    project.insert(
+        Dating{{}, "coin F1", made.units[0], find, DatingKind::Coin, -50, std::nullopt, {}, {}, "direct", ""});
     project.insert(Dating{{}, "Lab-1", made.units[1], {}, DatingKind::Radiocarbon, {}, {}, 3200.0, 30.0, "", "n"});
     project.insert(Sample{{}, "S1", made.units[1], "C14", 0.5, 12.0, "Lab-1", "submitted", "charcoal"});
     project.insert(Document{{}, "P1", "photo", "from the north", made.units[0], "photos/p1.jpg", "2025-06-01", "Ada"});
@@ -80,14 +81,15 @@ void fill_measured(ProjectFile& project, const Made& made) {
 }
 
 void fill_places(ProjectFile& project, const Made& made) {
-    const SurfaceId surface = project.insert(
-        Surface{{}, made.area, "Planum 1", DigMethod::Planum, "2025-06-01", "2025-06-02", 1});
+    const SurfaceId surface =
+        project.insert(Surface{{}, made.area, "Planum 1", DigMethod::Planum, "2025-06-01", "2025-06-02", 1});
     const SectionId section = project.insert(Section{{}, made.area, "S 1", {0, 0}, {5.5, 1.25}, "2025-06-02"});
     Region region;
     region.surface = surface;
     region.unit = made.units[0];
     region.shows = RegionShows::Level;
-    region.outline = {Polygon{{{0, 0, 103}, {4, 0, 103}, {4, 4, 103.5}, {0, 4, 103}}, {{{1, 1, 103}, {1, 2, 103}, {2, 2, 103}}}}};
+    region.outline = {
+        Polygon{{{0, 0, 103}, {4, 0, 103}, {4, 4, 103.5}, {0, 4, 103}}, {{{1, 1, 103}, {1, 2, 103}, {2, 2, 103}}}}};
     project.insert(region);
     Region unnamed;
     unnamed.section = section;
@@ -96,11 +98,24 @@ void fill_places(ProjectFile& project, const Made& made) {
     unnamed.seen_in = made.units[1];
     unnamed.outline = {Polygon{{{0, 0, 103}, {0, 0, 104}, {1, 0, 104}}, {}}};
     project.insert(unnamed);
-    Scan scan{{}, "2025-06-01/station1", "2025-06-01", surface, "scans/station1.ptx", std::string(64, 'b'), "ptx", 0,
-              1000, 10, 100, "scanner", "2025-06-01T08:00:00Z", std::nullopt};
+    Scan scan{{},
+              "2025-06-01/station1",
+              "2025-06-01",
+              surface,
+              "scans/station1.ptx",
+              std::string(64, 'b'),
+              "ptx",
+              0,
+              1000,
+              10,
+              100,
+              "scanner",
+              "2025-06-01T08:00:00Z",
+              std::nullopt};
     scan.header_pose = std::array<double, 16>{1, 0, 0, 0.1, 0, 1, 0, 0.2, 0, 0, 1, 1.0 / 3.0, 0, 0, 0, 1};
     const ScanId scan_id = project.insert(scan);
-    const RegistrationRunId run = project.insert(RegistrationRun{{}, "first", "2025-06-01T12:00:00.000Z", "auto", "accepted", "{}"});
+    const RegistrationRunId run =
+        project.insert(RegistrationRun{{}, "first", "2025-06-01T12:00:00.000Z", "auto", "accepted", "{}"});
     ScanPose pose;
     pose.scan = scan_id;
     pose.run = run;
@@ -141,7 +156,8 @@ ProjectFile fill_project(const std::filesystem::path& file, TestEnvironment& env
     project.change("A day's work", [&] {
         fill_measured(project, made);
         fill_places(project, made);
-        project.insert(Decision{{}, "abcdef123456", "diagnostic", "accepted", "seen in section", "99", 0.5, "Ada", "t"});
+        project.insert(
+            Decision{{}, "abcdef123456", "diagnostic", "accepted", "seen in section", "99", 0.5, "Ada", "t"});
         Interpretation reading;
         reading.name = "Second reading";
         reading.author = "Bea";

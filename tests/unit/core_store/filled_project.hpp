@@ -28,7 +28,7 @@ struct TestEnvironment {
 [[nodiscard]] std::string raw_rows(const std::filesystem::path& file);
 
 /// The message of the Error that `work` throws; "nothing was thrown" otherwise.
-template <class Work>
+template<class Work>
 [[nodiscard]] std::string message_of(Work work) {
     try {
         work();

@@ -148,7 +148,8 @@ TEST_CASE("Triggers, views and indexes of others on our tables make a project im
         "CREATE VIEW seen AS SELECT * FROM unit",
         "CREATE TRIGGER rtree_find_geom_insert AFTER INSERT ON find BEGIN DELETE FROM unit; END",
         "DROP INDEX unit_number; CREATE INDEX unit_number ON unit(number)",
-        "PRAGMA legacy_alter_table=ON; PRAGMA foreign_keys=OFF; DROP TABLE import_note; CREATE TABLE import_note(fid INTEGER "
+        "PRAGMA legacy_alter_table=ON; PRAGMA foreign_keys=OFF; DROP TABLE import_note; CREATE TABLE import_note(fid "
+        "INTEGER "
         "PRIMARY KEY, uuid, source, line, code, raw_text, message, deleted_at)",
     };
     for (const char* sql : hostile) {
@@ -160,8 +161,9 @@ TEST_CASE("Triggers, views and indexes of others on our tables make a project im
         CHECK(project.open_report().import_only);
         CHECK_FALSE(project.open_report().import_only_because.empty());
         CHECK(project.load().units.size() == 6);
-        CHECK(message_of([&] { project.change("Add", [&] { project.insert(a_unit("77")); }); }).find("import it into a new project") !=
-              std::string::npos);
+        CHECK(message_of([&] {
+                  project.change("Add", [&] { project.insert(a_unit("77")); });
+              }).find("import it into a new project") != std::string::npos);
         CHECK_THROWS_AS(project.undo(), Error);
         CHECK(read_file(file, kLimit) == before);
     }
@@ -197,7 +199,8 @@ TEST_CASE("A trigger or index that somebody dropped is put back, and that is sai
 TEST_CASE("A project without one of its tables or columns is no project") {
     const test::TemporaryFolder folder;
     const std::string whole = filled_bytes(folder);
-    for (const char* sql : {"PRAGMA foreign_keys=OFF; DROP TABLE level", "DROP TRIGGER find_changed; DROP TRIGGER find_deleted; ALTER TABLE find DROP COLUMN box",
+    for (const char* sql : {"PRAGMA foreign_keys=OFF; DROP TABLE level",
+                            "DROP TRIGGER find_changed; DROP TRIGGER find_deleted; ALTER TABLE find DROP COLUMN box",
                             "PRAGMA foreign_keys=OFF; DROP TABLE find; CREATE VIEW find AS SELECT 1 AS fid",
                             "DELETE FROM planum_meta", "UPDATE planum_meta SET value = 'x'"}) {
         INFO(sql);
@@ -331,9 +334,7 @@ namespace {
 
 // SQLite's waiting is not fair: two loops without a pause can starve one another on a busy machine, which no
 // two people do.
-void take_breath() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-}
+void take_breath() { std::this_thread::sleep_for(std::chrono::milliseconds(20)); }
 
 } // namespace
 

@@ -75,13 +75,14 @@ TEST_CASE("Through GDAL rows are added, changed and marked, and the rules hold")
     const auto said = [&](std::string_view text) { return output.text.find(text) != std::string::npos; };
     CHECK(said("read: 29 layers, some features, 0 warnings"));
     CHECK(said("read again: 29 layers, some features, 0 warnings"));
-    for (const char* done : {"insert unit: done", "insert unit without kind: done", "insert region: done",
-                             "insert level: done", "change: done", "delete: done", "delete referred to: done", "index: done"}) {
+    for (const char* done :
+         {"insert unit: done", "insert unit without kind: done", "insert region: done", "insert level: done",
+          "change: done", "delete: done", "delete referred to: done", "index: done"}) {
         CHECK(said(done));
     }
-    for (const char* refused : {"bad kind: refused", "bad key: refused", "bad height: refused", "bad uuid: refused",
-                                "used number: refused", "bad key in a change: refused", "changed uuid: refused", "delete project: refused",
-                                "delete log: refused"}) {
+    for (const char* refused :
+         {"bad kind: refused", "bad key: refused", "bad height: refused", "bad uuid: refused", "used number: refused",
+          "bad key in a change: refused", "changed uuid: refused", "delete project: refused", "delete log: refused"}) {
         CHECK(said(refused));
     }
 
@@ -91,7 +92,8 @@ TEST_CASE("Through GDAL rows are added, changed and marked, and the rules hold")
     CHECK_FALSE(project.open_report().import_only);
     const model::Record record = project.load();
     CHECK(record.units.size() == 6); // six, two added, two deleted
-    const auto ditch = std::find_if(record.units.begin(), record.units.end(), [](const auto& u) { return u.number == "900"; });
+    const auto ditch =
+        std::find_if(record.units.begin(), record.units.end(), [](const auto& u) { return u.number == "900"; });
     REQUIRE(ditch != record.units.end());
     CHECK(ditch->title == "ditch");
     CHECK(record.regions.size() == 3);

@@ -78,7 +78,9 @@ TEST_CASE("Everything that goes into the file comes out of it as it was") {
     // Written again field by field into a second file, it is the same record.
     ProjectFile copy = ProjectFile::create(folder / "copy.gpkg", before.settings, environment.get());
     copy.change("Copy", [&] {
-        const auto all = [&](const auto& values) { for (const auto& value : values) copy.insert(value); };
+        const auto all = [&](const auto& values) {
+            for (const auto& value : values) copy.insert(value);
+        };
         all(before.areas), all(before.sources), all(before.import_notes), all(before.periods), all(before.phases);
         auto units = before.units;
         std::stable_sort(units.begin(), units.end(), [](const auto& a, const auto& b) { return a.parent < b.parent; });
@@ -133,10 +135,12 @@ TEST_CASE("A change that throws leaves the project as it was, and the exception 
     test::TestEnvironment environment;
     ProjectFile project = new_project(folder / "site.gpkg", environment);
     const std::string before = project.canonical_dump();
-    CHECK_THROWS_AS(project.change("Fails", [&] {
-        project.insert(a_unit("1"));
-        throw std::runtime_error("something else");
-    }), std::runtime_error);
+    CHECK_THROWS_AS(project.change("Fails",
+                                   [&] {
+                                       project.insert(a_unit("1"));
+                                       throw std::runtime_error("something else");
+                                   }),
+                    std::runtime_error);
     CHECK(project.canonical_dump() == before);
     CHECK(project.change("Nothing", [] {}) == 0);
     CHECK(project.history(10).empty());
@@ -213,7 +217,8 @@ TEST_CASE("What refers to nothing, or holds what is no number, is refused by nam
     Find find;
     find.number = "F9";
     find.z = std::numeric_limits<double>::quiet_NaN();
-    CHECK(message_of([&] { project.change("Add", [&] { project.insert(find); }); }).find("find F9") != std::string::npos);
+    CHECK(message_of([&] { project.change("Add", [&] { project.insert(find); }); }).find("find F9") !=
+          std::string::npos);
     unit = a_unit("7");
     unit.details["color"] = "red";
     CHECK(message_of([&] { project.change("Add", [&] { project.insert(unit); }); }).find("color") != std::string::npos);
@@ -258,6 +263,7 @@ TEST_CASE("A filled project verifies without a problem") {
     const test::TemporaryFolder folder;
     test::TestEnvironment environment;
     const ProjectFile project = test::fill_project(folder / "site.gpkg", environment);
-    for (const VerifyProblem& problem : project.verify(Progress::none())) FAIL_CHECK(problem.where + ": " + problem.what);
+    for (const VerifyProblem& problem : project.verify(Progress::none()))
+        FAIL_CHECK(problem.where + ": " + problem.what);
     CHECK(project.verify(Progress::none()).empty());
 }

@@ -48,8 +48,10 @@ TEST_CASE("The built-in widths are those of the font") {
     const FontTextMeasure font;
     const TableTextMeasure table;
     for (const char* words : {"1042", "Harris matrix: 12 = 15", "WWWiii"}) {
-        CHECK(table.width(words, 9.0, FontWeight::Regular) == Approx(font.width(words, 9.0, FontWeight::Regular)).epsilon(0.03));
-        CHECK(table.width(words, 16.0, FontWeight::Bold) == Approx(font.width(words, 16.0, FontWeight::Bold)).epsilon(0.03));
+        CHECK(table.width(words, 9.0, FontWeight::Regular) ==
+              Approx(font.width(words, 9.0, FontWeight::Regular)).epsilon(0.03));
+        CHECK(table.width(words, 16.0, FontWeight::Bold) ==
+              Approx(font.width(words, 16.0, FontWeight::Bold)).epsilon(0.03));
     }
 }
 

@@ -91,12 +91,17 @@ std::optional<Checked> checked(const std::vector<std::string>& names) {
     c.result = strat::check(c.record, matrix, {}, {}, Progress::none());
     if (std::getenv("PLANUM_SHOW") != nullptr) {
         for (const model::Diagnostic& d : c.result.diagnostics) {
-            std::printf("%s %s: %s\n", std::string(model::to_word(d.severity)).c_str(), d.code.c_str(), d.message.c_str());
-            for (const model::Suspect& s : d.suspects) std::printf("      %.2f %s\n", s.score, s.reasons.front().c_str());
+            std::printf("%s %s: %s\n", std::string(model::to_word(d.severity)).c_str(), d.code.c_str(),
+                        d.message.c_str());
+            for (const model::Suspect& s : d.suspects)
+                std::printf("      %.2f %s\n", s.score, s.reasons.front().c_str());
         }
-        std::printf("coverage %lld confirmed %lld contradicted %lld\n", static_cast<long long>(c.result.coverage.relations),
-                    static_cast<long long>(c.result.coverage.confirmed), static_cast<long long>(c.result.coverage.contradicted));
-        for (const auto& [why, n] : c.result.coverage.untestable) std::printf("   %s %lld\n", why.c_str(), static_cast<long long>(n));
+        std::printf("coverage %lld confirmed %lld contradicted %lld\n",
+                    static_cast<long long>(c.result.coverage.relations),
+                    static_cast<long long>(c.result.coverage.confirmed),
+                    static_cast<long long>(c.result.coverage.contradicted));
+        for (const auto& [why, n] : c.result.coverage.untestable)
+            std::printf("   %s %lld\n", why.c_str(), static_cast<long long>(n));
     }
     return c;
 }
@@ -125,7 +130,8 @@ TEST_CASE("The cycle list names 6 above itself, 3 and 5, and the group of five w
     CHECK(removals(*c) <= 2);
 }
 
-TEST_CASE("Al-Khutm: cycle groups, those of same-as, 49 direct date contradictions, 17 empty targets, one line of reciprocals") {
+TEST_CASE("Al-Khutm: cycle groups, those of same-as, 49 direct date contradictions, 17 empty targets, one line of "
+          "reciprocals") {
     const auto c = checked({"pyarchinit/alkhutm_us_senza_periodo.csv", "pyarchinit/alkhutm_us_con_periodo_FINALE.csv"});
     if (!c) return;
     std::size_t groups = 0;
@@ -166,8 +172,9 @@ TEST_CASE("Urkesh: the five units whose base lies above their top, and nothing t
 }
 
 TEST_CASE("Records without cycles have no cycle diagnostics") {
-    for (const std::vector<std::string>& files :
-         {std::vector<std::string>{"hmc/Sector_D.matrix.xml"}, {"arkmatrix/bonn.lst"}, {"pyarchinit/pyarchinit_tutorial.db"}}) {
+    for (const std::vector<std::string>& files : {std::vector<std::string>{"hmc/Sector_D.matrix.xml"},
+                                                  {"arkmatrix/bonn.lst"},
+                                                  {"pyarchinit/pyarchinit_tutorial.db"}}) {
         const auto c = checked(files);
         if (!c) return;
         INFO(files.front());

@@ -182,8 +182,7 @@ TEST_CASE("A builder that is dropped or stopped leaves neither file nor temporar
         CHECK_THROWS_AS(builder.finish(progress), Error);
     }
     CHECK(files_in(folder.path()) == 0);
-    CHECK_THROWS_WITH(StoreBuilder(folder / "no" / "a.pts", full_info()),
-                      Catch::Contains("cannot be written"));
+    CHECK_THROWS_WITH(StoreBuilder(folder / "no" / "a.pts", full_info()), Catch::Contains("cannot be written"));
 }
 
 TEST_CASE("A store that exists is only replaced by a complete one") {
@@ -233,8 +232,7 @@ TEST_CASE("A store that is cut, changed in its tables or something else is refus
     CHECK_THAT(why_refused(changed(0)), Catch::Contains("does not start as one"));
     CHECK_THAT(why_refused(changed(8)), Catch::Contains("version 0"));
     CHECK_THAT(why_refused(changed(40)), Catch::Contains("header is damaged"));
-    const std::size_t nodes_at =
-        static_cast<std::size_t>(PointStore::open(folder / "a.pts").nodes()[0].block_at);
+    const std::size_t nodes_at = static_cast<std::size_t>(PointStore::open(folder / "a.pts").nodes()[0].block_at);
     CHECK(nodes_at == sizeof(StoreHeaderRecord));
     CHECK_THAT(why_refused(changed(good.size() - 1)), Catch::Contains("description is damaged"));
 }

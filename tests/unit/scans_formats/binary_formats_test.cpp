@@ -46,8 +46,7 @@ TEST_CASE("CRC-32C is the one of the standard, by instruction and by table") {
     CHECK(crc32c(check) == 0xE3069283U);
     CHECK(crc32c_by_table(check) == 0xE3069283U);
     std::string bytes;
-    for (int i = 0; i < 1020; ++i)
-        bytes.push_back(static_cast<char>(i * 7));
+    for (int i = 0; i < 1020; ++i) bytes.push_back(static_cast<char>(i * 7));
     for (std::size_t n = 0; n < bytes.size(); n += 13)
         CHECK(crc32c({bytes.data(), n}) == crc32c_by_table({bytes.data(), n}));
 }
@@ -122,15 +121,14 @@ TEST_CASE("E57 reads floating point, spherical coordinates and 16-bit colours") 
     const std::vector<std::int64_t> colour = {0, 65535};
     E57Writer::Scan scan;
     scan.records = 2;
-    scan.columns = {
-        {"<sphericalRange type=\"Float\" precision=\"single\"/>", pack_floats<float>(range)},
-        {"<sphericalAzimuth type=\"Float\"/>", pack_floats<double>(azimuth)},
-        {"<sphericalElevation type=\"Float\"/>", pack_floats<double>(elevation)},
-        {"<colorRed type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
-        {"<colorGreen type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
-        {"<colorBlue type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
-        {"<sphericalInvalidState type=\"Float\" precision=\"single\"/>",
-         pack_floats<float>(std::vector<double>{0, 1})}};
+    scan.columns = {{"<sphericalRange type=\"Float\" precision=\"single\"/>", pack_floats<float>(range)},
+                    {"<sphericalAzimuth type=\"Float\"/>", pack_floats<double>(azimuth)},
+                    {"<sphericalElevation type=\"Float\"/>", pack_floats<double>(elevation)},
+                    {"<colorRed type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
+                    {"<colorGreen type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
+                    {"<colorBlue type=\"Integer\" minimum=\"0\" maximum=\"65535\"/>", pack_bits(colour, 0, 16)},
+                    {"<sphericalInvalidState type=\"Float\" precision=\"single\"/>",
+                     pack_floats<float>(std::vector<double>{0, 1})}};
     E57Writer writer;
     writer.add_scan(scan);
     const WholeCloud whole = read_whole(*open_bytes(writer.finish(), ScanFormat::E57), 0, Misses::Keep);
@@ -150,8 +148,7 @@ TEST_CASE("A grid without stated bounds is as large as the indexes") {
     for (const char* name : {"cartesianX", "cartesianY", "cartesianZ"}) {
         scan.columns.push_back({fmt::format("<{} type=\"Float\"/>", name), pack_floats<double>(zeros)});
     }
-    scan.columns.push_back(
-        {"<rowIndex type=\"Integer\" minimum=\"0\" maximum=\"7\"/>", pack_bits(rows, 0, 3)});
+    scan.columns.push_back({"<rowIndex type=\"Integer\" minimum=\"0\" maximum=\"7\"/>", pack_bits(rows, 0, 3)});
     scan.columns.push_back({"<columnIndex type=\"Integer\" minimum=\"0\" maximum=\"0\"/>", ""});
     E57Writer writer;
     writer.add_scan(scan);
@@ -205,8 +202,7 @@ TEST_CASE("LAS reads every point format, and colours of 8 and 16 bits") {
             if (!whole.points.colour.empty()) CHECK(whole.points.colour[2] == Rgb{2, 3, 4});
         }
     }
-    CHECK(read_whole(*open_bytes(sample_las({3, 2, 3, true}), ScanFormat::Las)).points.colour[2] ==
-          Rgb{2, 3, 4});
+    CHECK(read_whole(*open_bytes(sample_las({3, 2, 3, true}), ScanFormat::Las)).points.colour[2] == Rgb{2, 3, 4});
     CHECK(open_bytes(sample_las(), ScanFormat::Las)->info().created_at == "2025-02-01");
 }
 
@@ -234,8 +230,7 @@ TEST_CASE("PLY reads the same from text and from both byte orders") {
 
 TEST_CASE("A PLY that cannot be right is refused") {
     CHECK_THAT(refusal("ply\nformat ascii 1.0\n", ScanFormat::Ply), Catch::Contains("end_header"));
-    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
-                       ScanFormat::Ply),
+    CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", ScanFormat::Ply),
                Catch::Contains("lacks x, y or z"));
     CHECK_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nproperty float "
                        "y\nproperty float z\nend_header\n1 2 3\n",
@@ -286,12 +281,11 @@ TEST_CASE("LZF repeats what a reference points to, overlapping too") {
 
 TEST_CASE("A PCD that cannot be right is refused") {
     CHECK_THAT(refusal("VERSION 0.7\nFIELDS x y z\n", ScanFormat::Pcd), Catch::Contains("DATA"));
+    CHECK_THAT(refusal("FIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nPOINTS 1\nDATA ascii\n1 2\n", ScanFormat::Pcd),
+               Catch::Contains("no fields x, y and z"));
     CHECK_THAT(
-        refusal("FIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nPOINTS 1\nDATA ascii\n1 2\n", ScanFormat::Pcd),
-        Catch::Contains("no fields x, y and z"));
-    CHECK_THAT(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 5\nHEIGHT 2\nPOINTS 11\nDATA ascii\n",
-                       ScanFormat::Pcd),
-               Catch::Contains("POINTS 11"));
+        refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 5\nHEIGHT 2\nPOINTS 11\nDATA ascii\n", ScanFormat::Pcd),
+        Catch::Contains("POINTS 11"));
     CHECK_THAT(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1000\nDATA binary\n1", ScanFormat::Pcd),
                Catch::Contains("do not fit"));
     std::string cut = sample_pcd_compressed();

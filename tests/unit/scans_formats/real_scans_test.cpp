@@ -24,8 +24,7 @@ std::optional<std::filesystem::path> real_data(std::string_view name) {
 std::string refused(const std::filesystem::path& file) {
     try {
         const auto reader = open_file(file);
-        for (std::size_t i = 0; i < reader->clouds().size(); ++i)
-            read_whole(*reader, i);
+        for (std::size_t i = 0; i < reader->clouds().size(); ++i) read_whole(*reader, i);
     } catch (const Error& e) {
         CHECK(e.code() == ErrorCode::BadInput);
         return e.what();

@@ -29,9 +29,9 @@ std::optional<double> number(std::string text, char point = '.') {
 } // namespace
 
 TEST_CASE("A number is the double nearest to its digits, whichever way it is read") {
-    for (const char* digits : {"0", "-0.5", "637012.240000", "0.1", "9007199254740993", "123456789012345678",
-                               "1e22", "-1.5E-3", "0.000000000000000000001", "99999999999999999999999999",
-                               "+7", ".5", "5.", "1.7976931348623157e308"}) {
+    for (const char* digits :
+         {"0", "-0.5", "637012.240000", "0.1", "9007199254740993", "123456789012345678", "1e22", "-1.5E-3",
+          "0.000000000000000000001", "99999999999999999999999999", "+7", ".5", "5.", "1.7976931348623157e308"}) {
         INFO(digits);
         REQUIRE(number(digits).has_value());
         CHECK(*number(digits) == std::strtod(digits, nullptr));
@@ -49,8 +49,7 @@ TEST_CASE("What is no number is told from one") {
 
 TEST_CASE("Lines are found across windows, with and without carriage return and last line end") {
     std::string text;
-    for (int i = 0; i < 3000; ++i)
-        text += fmt::format("line {}{}", i, i % 2 == 0 ? "\r\n" : "\n");
+    for (int i = 0; i < 3000; ++i) text += fmt::format("line {}{}", i, i % 2 == 0 ? "\r\n" : "\n");
     text += "last";
     const auto source = memory_source(text);
     LineReader lines(*source, 0, 1, 1000);
@@ -127,19 +126,16 @@ TEST_CASE("A PTX that cannot be right is refused with its line") {
                Catch::Contains("line 12: field 2"));
     CHECK_THAT(refusal(ptx_header(1, 2) + "1 2 3 0.5\n1 2 3 0.5 6\n", ScanFormat::Ptx),
                Catch::Contains("line 12: more numbers"));
-    CHECK_THAT(
-        refusal(ptx_header(1, 1, "-1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") + "1 2 3 0.5\n", ScanFormat::Ptx),
-        Catch::Contains("line 10: the matrix mirrors"));
-    CHECK_THAT(
-        refusal(ptx_header(1, 1, "0 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") + "1 2 3 0.5\n", ScanFormat::Ptx),
-        Catch::Contains("flattens"));
+    CHECK_THAT(refusal(ptx_header(1, 1, "-1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") + "1 2 3 0.5\n", ScanFormat::Ptx),
+               Catch::Contains("line 10: the matrix mirrors"));
+    CHECK_THAT(refusal(ptx_header(1, 1, "0 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") + "1 2 3 0.5\n", ScanFormat::Ptx),
+               Catch::Contains("flattens"));
 }
 
 TEST_CASE("A matrix is a rotation and a stretch, and together they are the matrix") {
     Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
-    m.topLeftCorner<3, 3>() =
-        Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix() *
-        Eigen::Vector3d(1, 2, 0.5).asDiagonal();
+    m.topLeftCorner<3, 3>() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix() *
+                              Eigen::Vector3d(1, 2, 0.5).asDiagonal();
     m.topRightCorner<3, 1>() = Eigen::Vector3d(4, 5, 6);
     const SplitPose split = split_pose(m);
     REQUIRE(split.scan_from_file);
@@ -170,20 +166,16 @@ TEST_CASE("XYZ shows which columns it guessed and why") {
     CHECK(guess("1 2 3 0.5\n") == "x y z intensity (by number and values; cut by blanks)");
     CHECK(guess("1 2 3 10 20 30\n") == "x y z red green blue (by number and values; cut by blanks)");
     CHECK(guess("1 2 3 0.1 0.2 -0.3\n") == "x y z - - - (by number and values; cut by blanks)");
-    CHECK(guess("1,2,3,77.5,10,20,30\n") ==
-          "x y z intensity red green blue (by number and values; cut by commas)");
-    CHECK(guess("1\t2\t3\t10\t20\t30\t0.5\n") ==
-          "x y z red green blue intensity (by number and values; cut by tabs)");
+    CHECK(guess("1,2,3,77.5,10,20,30\n") == "x y z intensity red green blue (by number and values; cut by commas)");
+    CHECK(guess("1\t2\t3\t10\t20\t30\t0.5\n") == "x y z red green blue intensity (by number and values; cut by tabs)");
     CHECK(guess("nr;Y;X;Z\n9;2;1;3\n") == "- y x z (by the names in the file; cut by semicolons)");
     CHECK(guess("1,5;2,5;3,5\n") == "x y z (by number and values; cut by semicolons; decimal comma)");
     CHECK(guess("1 2 3 4 5\n", "y,x,z,-,intensity") == "y x z - intensity (as told; cut by blanks)");
 }
 
 TEST_CASE("XYZ reads what it guessed") {
-    CHECK(read_whole(*open_bytes(sample_xyz(), ScanFormat::Xyz)).points.x ==
-          std::vector<double>{1, 4.25, -7});
-    CHECK(read_whole(*open_bytes("1,5;2,5;3,5\n4;5;6;\n", ScanFormat::Xyz)).points.y ==
-          std::vector<double>{2.5, 5});
+    CHECK(read_whole(*open_bytes(sample_xyz(), ScanFormat::Xyz)).points.x == std::vector<double>{1, 4.25, -7});
+    CHECK(read_whole(*open_bytes("1,5;2,5;3,5\n4;5;6;\n", ScanFormat::Xyz)).points.y == std::vector<double>{2.5, 5});
     CHECK(read_whole(*open_bytes("1,5 2,5 3,5\n", ScanFormat::Xyz)).points.z == std::vector<double>{3.5});
     const WholeCloud named =
         read_whole(*open_bytes("\"Name\",\"X\",\"Y\",\"Z\"\n\"a b\",1,2,3\nc,4,5,6\n", ScanFormat::Xyz));
@@ -193,8 +185,7 @@ TEST_CASE("XYZ reads what it guessed") {
                                  ScanFormat::Xyz))
               .points.x == std::vector<double>{1});
     CHECK_THAT(refusal("1 2 3\n1 2\n", ScanFormat::Xyz), Catch::Contains("line 2: 3 columns expected"));
-    CHECK_THAT(refusal("1 2 3\n1 2 3 4\n", ScanFormat::Xyz),
-               Catch::Contains("line 2: more than the 3 columns"));
+    CHECK_THAT(refusal("1 2 3\n1 2 3 4\n", ScanFormat::Xyz), Catch::Contains("line 2: more than the 3 columns"));
     CHECK_THAT(refusal("1 2 3\n1 b 3\n", ScanFormat::Xyz), Catch::Contains("line 2: column 2 (y)"));
     CHECK_THAT(refusal("words only\n", ScanFormat::Xyz), Catch::Contains("no line with x, y and z"));
     CHECK_THROWS_AS(open_bytes("1 2 3\n", ScanFormat::Xyz, std::nullopt, "x,y,zz"), Error);
@@ -220,8 +211,7 @@ TEST_CASE("3DTK centimetres, left-handed with y up, become metres, right-handed 
 TEST_CASE("Intensities are spread over 16 bits by what they look like") {
     const auto coding = [](std::initializer_list<double> values) {
         ValueSampler sampler;
-        for (const double v : values)
-            sampler.add(v);
+        for (const double v : values) sampler.add(v);
         return sampler.intensity_coding();
     };
     CHECK(coding({0.0, 0.3, 1.0}) == IntensityCoding{0.0, 1.0 / 65535.0});

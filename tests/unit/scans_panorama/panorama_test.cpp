@@ -37,8 +37,8 @@ PointBlock room(const Projection& seen, Skip skip) {
         for (int column = 0; column < seen.options().width; ++column) {
             if (skip(column, row)) continue;
             const Eigen::Vector3d ray = *seen.ray_of({column + 0.5, row + 0.5});
-            const double range = std::min({5.0 / std::max(std::abs(ray.x()), std::abs(ray.y())),
-                                           ray.z() > 0.0 ? 2.5 / ray.z() : 1.5 / -ray.z()});
+            const double range = std::min(
+                {5.0 / std::max(std::abs(ray.x()), std::abs(ray.y())), ray.z() > 0.0 ? 2.5 / ray.z() : 1.5 / -ray.z()});
             block.x.push_back(range * ray.x());
             block.y.push_back(range * ray.y());
             block.z.push_back(range * ray.z());
@@ -105,8 +105,7 @@ TEST_CASE("Every direction of the horizon is in the picture, left is left and up
 TEST_CASE("A projection that cannot show its extent is refused") {
     ProjectionOptions options = small(ProjectionKind::Mercator);
     options.elevation_to = std::numbers::pi / 2.0;
-    CHECK_THROWS_WITH(Projection(options),
-                      Catch::Contains("mercator panorama cannot show elevations up to 90.0"));
+    CHECK_THROWS_WITH(Projection(options), Catch::Contains("mercator panorama cannot show elevations up to 90.0"));
     options = small(ProjectionKind::Rectilinear);
     options.views = 1;
     CHECK_THROWS_WITH(Projection(options), Catch::Contains("at least 3"));
@@ -118,8 +117,7 @@ TEST_CASE("A projection that cannot show its extent is refused") {
 }
 
 TEST_CASE("Each point is in the list of its pixel and in no other, in every projection") {
-    const PointBlock block =
-        room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
+    const PointBlock block = room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
     for (const ProjectionKind kind : kAll) {
         INFO(projection_name(kind));
         PanoramaOptions options;
@@ -134,8 +132,7 @@ TEST_CASE("Each point is in the list of its pixel and in no other, in every proj
                 for (const std::uint32_t point : panorama.points_at(column, row)) {
                     ++listed;
                     const std::uint64_t n = panorama.source(point);
-                    REQUIRE(panorama.projection().index_of(block.x[n], block.y[n], block.z[n]) ==
-                            row * 360 + column);
+                    REQUIRE(panorama.projection().index_of(block.x[n], block.y[n], block.z[n]) == row * 360 + column);
                     REQUIRE(panorama.place(point).norm() >= last * (1.0 - 1e-6));
                     last = panorama.place(point).norm();
                 }
@@ -172,8 +169,7 @@ TEST_CASE("Small holes are closed where both sides agree in range, and have the 
     });
     const Panorama panorama = unroll(holed, options);
     std::size_t empty_small = 0;
-    for (int row = 0; row < 100; ++row)
-        empty_small += panorama.points_at(57, row).empty() ? 1U : 0U;
+    for (int row = 0; row < 100; ++row) empty_small += panorama.points_at(57, row).empty() ? 1U : 0U;
     CHECK(empty_small <= 4);                    // where wall and floor or ceiling meet
     CHECK(panorama.points_at(215, 55).empty()); // larger than what is closed
     options.close_gap = 0;
@@ -193,8 +189,7 @@ TEST_CASE("Small holes are closed where both sides agree in range, and have the 
 TEST_CASE("A sub-pixel shows its place on the surface") {
     PanoramaOptions options;
     options.projection = small(ProjectionKind::Equirectangular);
-    const Panorama panorama =
-        unroll(room(Projection(options.projection), [](int, int) { return false; }), options);
+    const Panorama panorama = unroll(room(Projection(options.projection), [](int, int) { return false; }), options);
     // On the wall x = 5 and on the floor z = -1.5, away from the edges.
     for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(180.3, 40.7), Eigen::Vector2d(170.1, 38.2)}) {
         const auto place = panorama.surface_at(pixel);
@@ -232,13 +227,10 @@ TEST_CASE("A panorama is written as PNG with its frame beside it, the same bytes
     const TemporaryFolder folder;
     PanoramaOptions options;
     options.projection = small(ProjectionKind::Pannini);
-    const PointBlock block =
-        room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
+    const PointBlock block = room(Projection(small(ProjectionKind::Equirectangular)), [](int, int) { return false; });
     const Panorama panorama = unroll(block, options);
-    write_panorama(panorama, Channel::Colour, folder / "a.png", "2025-06-01/\"one\"",
-                   Eigen::Isometry3d::Identity());
-    write_panorama(panorama, Channel::Colour, folder / "b.png", "2025-06-01/\"one\"",
-                   Eigen::Isometry3d::Identity());
+    write_panorama(panorama, Channel::Colour, folder / "a.png", "2025-06-01/\"one\"", Eigen::Isometry3d::Identity());
+    write_panorama(panorama, Channel::Colour, folder / "b.png", "2025-06-01/\"one\"", Eigen::Isometry3d::Identity());
     const std::string png = bytes_of(folder / "a.png");
     CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
     CHECK(png.substr(16, 8) == std::string("\0\0\x01\x68\0\0\0\x64", 8)); // 360 × 100

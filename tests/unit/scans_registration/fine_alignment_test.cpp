@@ -158,8 +158,12 @@ TEST_CASE("The real pair comes near its reference") {
 TEST_CASE("Scans of a trench on two days meet again from 5 cm and 0.5° off") {
     const auto folder = test::real_data("scans/trench");
     if (!folder) return;
-    const auto load = [&](const char* stem) { return prepare_scan(test::read_ptx_points(*folder / (std::string(stem) + ".ptx"))); };
-    const auto pose = [&](const char* stem) { return test::read_matrix(*folder / (std::string(stem) + ".true_site_from_scan.txt")); };
+    const auto load = [&](const char* stem) {
+        return prepare_scan(test::read_ptx_points(*folder / (std::string(stem) + ".ptx")));
+    };
+    const auto pose = [&](const char* stem) {
+        return test::read_matrix(*folder / (std::string(stem) + ".true_site_from_scan.txt"));
+    };
     const char* const first = "2012-05-01/station1";
     const char* const second = "2012-05-02/station1";
     const Rigid3 truth = pose(first).inverse() * pose(second);

@@ -102,8 +102,8 @@ TEST_CASE("Two markers with swapped names are recognised") {
 
 TEST_CASE("A marker under the name of another place is recognised") {
     auto seen = seen_from(kTruth, pegs(), 0.001, 6);
-    seen.pop_back();        // F is not seen
-    seen[2].name = "F";     // C goes by its name
+    seen.pop_back();    // F is not seen
+    seen[2].name = "F"; // C goes by its name
     const auto placement = place_by_markers(pegs(), seen);
     REQUIRE(placement.is_placed);
     CHECK_THAT(of(placement, "F").reason, Catch::Contains("lies where C was surveyed"));

@@ -10,8 +10,8 @@
 #include "core/base/error.hpp"
 #include "core/geometry/fit_rigid.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/unit/scans_registration/g2o_file.hpp"
 #include "tests/support/real_data.hpp"
+#include "tests/unit/scans_registration/g2o_file.hpp"
 
 using namespace planum;
 using namespace planum::scans;
@@ -41,7 +41,8 @@ Ring a_ring(unsigned seed, double turn, double shift) {
     for (int i = 0; i < 8; ++i) {
         const double at = 0.785 * i;
         ring.truth.push_back({geometry::exp_rotation({0.01, 0.02, at}), {5.0 * std::cos(at), 5.0 * std::sin(at), 1.7}});
-        ring.nodes.push_back({geometry::moved(ring.truth.back(), noise(random, i == 0 ? 0.0 : 0.05, i == 0 ? 0.0 : 0.2)), i == 0});
+        ring.nodes.push_back(
+            {geometry::moved(ring.truth.back(), noise(random, i == 0 ? 0.0 : 0.05, i == 0 ? 0.0 : 0.2)), i == 0});
     }
     Matrix6 information = Matrix6::Zero();
     information.diagonal().head<3>().setConstant(1.0 / (turn * turn));
@@ -107,8 +108,10 @@ TEST_CASE("A wrong link pulls least squares, with Huber it hardly does") {
     double worst_pulled = 0.0;
     double worst_robust = 0.0;
     for (std::size_t i = 0; i < 8; ++i) {
-        worst_pulled = std::max(worst_pulled, geometry::step_between(ring.truth[i], pulled.site_from_scan[i]).tail<3>().norm());
-        worst_robust = std::max(worst_robust, geometry::step_between(ring.truth[i], robust.site_from_scan[i]).tail<3>().norm());
+        worst_pulled =
+            std::max(worst_pulled, geometry::step_between(ring.truth[i], pulled.site_from_scan[i]).tail<3>().norm());
+        worst_robust =
+            std::max(worst_robust, geometry::step_between(ring.truth[i], robust.site_from_scan[i]).tail<3>().norm());
     }
     CHECK(worst_pulled > 0.05);
     CHECK(worst_robust < 0.01);

@@ -9,9 +9,9 @@ namespace planum::test {
 
 struct GroundOptions {
     int points = 12000;
-    double sigma = 0.002;     ///< noise of a point across its surface [m]
-    double dug_depth = 0.0;   ///< the middle of the pit floor lies this much lower [m]
-    unsigned seed = 1;        ///< of the places of the points and their noise; the ground is the same
+    double sigma = 0.002;   ///< noise of a point across its surface [m]
+    double dug_depth = 0.0; ///< the middle of the pit floor lies this much lower [m]
+    unsigned seed = 1;      ///< of the places of the points and their noise; the ground is the same
     bool is_mirrored = false;
 };
 

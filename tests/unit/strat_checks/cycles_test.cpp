@@ -23,11 +23,18 @@ std::string text(const SmallRecord& r, const model::NamedRelation& relation) {
 std::string text(const SmallRecord& r, const model::Suspect& suspect) {
     struct Visitor {
         const SmallRecord& r;
+
         std::string operator()(const model::SuspectRelation& s) const { return text(r, s.relation); }
-        std::string operator()(const model::SuspectSameAs& s) const { return r.name(s.same_as.unit) + "=" + r.name(s.same_as.other); }
+
+        std::string operator()(const model::SuspectSameAs& s) const {
+            return r.name(s.same_as.unit) + "=" + r.name(s.same_as.other);
+        }
+
         std::string operator()(const model::SuspectNumber& s) const { return text(r, s.relation) + ":" + s.probably; }
+
         std::string operator()(const model::SuspectUnit& s) const { return "unit " + r.name(s.unit); }
     };
+
     return std::visit(Visitor{r}, suspect.what);
 }
 

@@ -37,7 +37,10 @@ TEST_CASE("Two units each above the other are a contradicting pair") {
 
 TEST_CASE("Bonded units that a path orders are an error, contemporary ones a warning") {
     SmallRecord r;
-    r.covers("1", "2").covers("2", "3").relate("1", RelationKind::BondsWith, "3").relate("2", RelationKind::Contemporary, "3");
+    r.covers("1", "2")
+        .covers("2", "3")
+        .relate("1", RelationKind::BondsWith, "3")
+        .relate("2", RelationKind::Contemporary, "3");
     const auto said = r.said("contemporary-ordered");
     REQUIRE(said.size() == 2);
     CHECK(said[0].severity == model::Severity::Error);
@@ -98,7 +101,9 @@ TEST_CASE("Only typed dates and termini ante quem say not later than") {
     coin.covers("1", "2").dating("1", model::DatingKind::Coin, 100, 120).dating("2", model::DatingKind::Coin, 300, 320);
     CHECK(coin.said("date-contradiction").empty());
     SmallRecord typed;
-    typed.covers("1", "2").dating("1", model::DatingKind::Typed, 100, 120).dating("2", model::DatingKind::Coin, 300, 320);
+    typed.covers("1", "2")
+        .dating("1", model::DatingKind::Typed, 100, 120)
+        .dating("2", model::DatingKind::Coin, 300, 320);
     const auto said = typed.said("date-contradiction");
     REQUIRE(said.size() == 1);
     CHECK(std::get<std::int64_t>(said[0].evidence.at("direct")) == 1);
@@ -107,7 +112,10 @@ TEST_CASE("Only typed dates and termini ante quem say not later than") {
 
 TEST_CASE("A date contradiction across undated units names the path") {
     SmallRecord r;
-    r.covers("1", "2").covers("2", "3").dating("1", model::DatingKind::AnteQuem, 100, 100).dating("3", model::DatingKind::PostQuem, 300, 300);
+    r.covers("1", "2")
+        .covers("2", "3")
+        .dating("1", model::DatingKind::AnteQuem, 100, 100)
+        .dating("3", model::DatingKind::PostQuem, 300, 300);
     const auto said = r.said("date-contradiction");
     REQUIRE(said.size() == 1);
     CHECK(said[0].relations.size() == 2);
@@ -117,7 +125,9 @@ TEST_CASE("A date contradiction across undated units names the path") {
 TEST_CASE("A longer date contradiction is silent where a shorter one lies on its path") {
     SmallRecord r;
     r.covers("1", "2").covers("2", "3");
-    r.dating("1", model::DatingKind::Typed, 0, 100).dating("2", model::DatingKind::Typed, 0, 100).dating("3", model::DatingKind::Typed, 300, 400);
+    r.dating("1", model::DatingKind::Typed, 0, 100)
+        .dating("2", model::DatingKind::Typed, 0, 100)
+        .dating("3", model::DatingKind::Typed, 300, 400);
     const auto said = r.said("date-contradiction");
     REQUIRE(said.size() == 1);
     CHECK(r.names(said[0].units) == Names{"2", "3"});
@@ -290,9 +300,13 @@ TEST_CASE("Every code that is said stands in the table") {
 
 TEST_CASE("Ranges of years that share a year follow each other, single years do not exclude each other") {
     SmallRecord ranges;
-    ranges.covers("1", "2").dating("1", model::DatingKind::Typed, -2200, -2000).dating("2", model::DatingKind::Typed, -2000, -1700);
+    ranges.covers("1", "2")
+        .dating("1", model::DatingKind::Typed, -2200, -2000)
+        .dating("2", model::DatingKind::Typed, -2000, -1700);
     CHECK(ranges.said("date-contradiction").size() == 1);
     SmallRecord years;
-    years.covers("1", "2").dating("1", model::DatingKind::AnteQuem, -2000, -2000).dating("2", model::DatingKind::PostQuem, -2000, -2000);
+    years.covers("1", "2")
+        .dating("1", model::DatingKind::AnteQuem, -2000, -2000)
+        .dating("2", model::DatingKind::PostQuem, -2000, -2000);
     CHECK(years.said("date-contradiction").empty());
 }

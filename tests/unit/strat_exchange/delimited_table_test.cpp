@@ -13,9 +13,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-DelimitedTable parse(std::string_view bytes) {
-    return parse_table(bytes, "t.csv");
-}
+DelimitedTable parse(std::string_view bytes) { return parse_table(bytes, "t.csv"); }
 
 } // namespace
 
@@ -108,6 +106,5 @@ TEST_CASE("Written rows are read back, and no cell is a formula to a spreadsheet
     const std::string line = writer.write(cells);
     CHECK(line == "'=1+2;''=x;-5;'+;\"a;b\";\"c \"\"d\"\"\";\" e \";\"f\ng\";;'s\r\n");
     const DelimitedTable table = parse_table(line, "t", {';', {}});
-    CHECK(table.rows[0].cells ==
-          Cells{"'=1+2", "''=x", "-5", "'+", "a;b", "c \"d\"", " e ", "f\ng", "", "'s"});
+    CHECK(table.rows[0].cells == Cells{"'=1+2", "''=x", "-5", "'+", "a;b", "c \"d\"", " e ", "f\ng", "", "'s"});
 }

@@ -50,8 +50,7 @@ TEST_CASE("HMC XML: nested groups are period and phase, edges are found in every
 TEST_CASE("An .hmcx is a zip of project.xml and matrix.xml") {
     const std::string matrix = test::sample("hmcx/small.matrix.xml").front().bytes;
     const std::array<std::pair<std::string, std::string>, 2> members = {
-        std::pair{"project.xml",
-                  "<ProjectProperties Name=\"Mill\" Description=\"\" ExcavationSite=\"Ford\"/>"},
+        std::pair{"project.xml", "<ProjectProperties Name=\"Mill\" Description=\"\" ExcavationSite=\"Ford\"/>"},
         std::pair{"matrix.xml", matrix}};
     const std::vector files = {test::a_file("mill.hmcx", write_zip(members))};
     CHECK(test::format_of(files) == "hmcx");
@@ -70,19 +69,15 @@ TEST_CASE("A zip that unpacks to far more than it is is refused") {
 }
 
 TEST_CASE("A DOCTYPE is refused, so that no entity can grow") {
-    const std::string xml =
-        "<?xml version=\"1.0\"?>\n<!DOCTYPE x [<!ENTITY a \"b\">]>\n<x><hmcnode id=\"&a;\"/></x>";
-    CHECK_THAT(failure(test::a_file("evil.xml", xml), "hmcx"),
-               Contains("evil.xml: line 2: a DOCTYPE is not accepted"));
+    const std::string xml = "<?xml version=\"1.0\"?>\n<!DOCTYPE x [<!ENTITY a \"b\">]>\n<x><hmcnode id=\"&a;\"/></x>";
+    CHECK_THAT(failure(test::a_file("evil.xml", xml), "hmcx"), Contains("evil.xml: line 2: a DOCTYPE is not accepted"));
 }
 
 TEST_CASE("Deeply nested XML is walked without recursion") {
     std::string xml = "<graphml>";
-    for (int i = 0; i < 200'000; ++i)
-        xml += "<graph><node>";
+    for (int i = 0; i < 200'000; ++i) xml += "<graph><node>";
     xml += "<data><hmcnode id='1' type='DEPOSIT'/></data>";
-    for (int i = 0; i < 200'000; ++i)
-        xml += "</node></graph>";
+    for (int i = 0; i < 200'000; ++i) xml += "</node></graph>";
     xml += "</graphml>";
     CHECK(test::read_all({test::a_file("deep.xml", xml)}, "hmcx").values.units.size() == 1);
 }
@@ -94,8 +89,7 @@ TEST_CASE("HMC CSV: ABOVE lists what the unit is above, groups hold units") {
     CHECK(read.values.units[0].values.description == "floor");
     CHECK(read.values.units[0].phase == "B. 1");
     CHECK(read.values.units[1].values.kind == model::UnitKind::Interface);
-    CHECK(test::relations_of(read.values) == Texts{"12 covers 13", "12 covers 14", "11 covers 12",
-                                                   "12 contemporary 15", "11 covers 12", "11 later 16",
-                                                   "12 covers 13"});
+    CHECK(test::relations_of(read.values) == Texts{"12 covers 13", "12 covers 14", "11 covers 12", "12 contemporary 15",
+                                                   "11 covers 12", "11 later 16", "12 covers 13"});
     CHECK(test::notes_of(read.diagnostics) == Texts{"small.csv:0 marked-incomplete"});
 }

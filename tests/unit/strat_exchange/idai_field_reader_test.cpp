@@ -15,7 +15,6 @@ using Texts = std::vector<std::string>;
 
 namespace {
 
-
 // One line, as the program writes it.
 const std::string kLines =
     R"({"version":"1"})"
@@ -86,9 +85,10 @@ TEST_CASE("A damaged line of an iDAI.field dump is reported by its number and th
 TEST_CASE("Things of iDAI.field that lie in each other do not send the reader round in circles") {
     const auto read = read_with(
         idai_field_reader(),
-        {input("f.jsonl", R"([{"id":"a","identifier":"1","category":"Layer","relations":{"liesWithin":["a"],"isAbove":["a"]}},)"
-                          R"({"id":"x","identifier":"x","category":"Bone","relations":{"liesWithin":["y"]}},)"
-                          R"({"id":"y","identifier":"y","category":"Bone","relations":{"liesWithin":["x"]}}])")});
+        {input("f.jsonl",
+               R"([{"id":"a","identifier":"1","category":"Layer","relations":{"liesWithin":["a"],"isAbove":["a"]}},)"
+               R"({"id":"x","identifier":"x","category":"Bone","relations":{"liesWithin":["y"]}},)"
+               R"({"id":"y","identifier":"y","category":"Bone","relations":{"liesWithin":["x"]}}])")});
     CHECK(read.values.units.size() == 1);
     CHECK(read.values.units[0].parent.number.empty());
     CHECK(read.values.finds.size() == 2);

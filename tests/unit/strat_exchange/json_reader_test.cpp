@@ -35,18 +35,15 @@ TEST_CASE("A record in JSON: units by name, statements one by one, what is not u
     CHECK(record.phases.at(0).values.from == -3300);
     CHECK(record.periods.at(0).number == "EBA");
     CHECK(record.groups.at(0).members == std::vector<UnitName>{{"A", "12"}, {"A", "13"}});
-    CHECK(test::relations_of(record) ==
-          Texts{"A::12 fills A::13 ?", "A::12 fills A::13 ?", "A::12 same_as A::15"});
+    CHECK(test::relations_of(record) == Texts{"A::12 fills A::13 ?", "A::12 fills A::13 ?", "A::12 same_as A::15"});
     CHECK(record.relations[0].side == model::StatementSide::Object);
     CHECK(record.relations[0].person == "Anna");
     CHECK(record.relations[2].correlation);
     CHECK(record.levels.size() == 1);
     Texts notes;
-    for (const ReadNote& note : read.diagnostics)
-        notes.push_back(note.raw_text + " " + note.code);
-    CHECK(notes == Texts{"units[2] unparsed", "phases[0] unparsed", "units[0] unparsed",
-                         "units[0] unknown-column", "units[2] unparsed", "relations[1] unknown-relation",
-                         "levels[1] unparsed", "finds unparsed"});
+    for (const ReadNote& note : read.diagnostics) notes.push_back(note.raw_text + " " + note.code);
+    CHECK(notes == Texts{"units[2] unparsed", "phases[0] unparsed", "units[0] unparsed", "units[0] unknown-column",
+                         "units[2] unparsed", "relations[1] unknown-relation", "levels[1] unparsed", "finds unparsed"});
 }
 
 TEST_CASE("JSON of a later version is refused with both versions") {

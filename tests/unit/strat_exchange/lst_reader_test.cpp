@@ -11,9 +11,8 @@ TEST_CASE("A .lst dataset: below lists what the unit covers, from both sides") {
     REQUIRE(read.values.units.size() == 3);
     CHECK(read.values.units[0].values.title == "Floor of the küche");
     CHECK(read.values.units[2].name.number == "+");
-    CHECK(test::relations_of(read.values) == std::vector<std::string>{"11 covers 12", "12 same_as 12a",
-                                                                      "12 covers 13", "12 covers 14",
-                                                                      "11 covers 12", "+ covers 11"});
+    CHECK(test::relations_of(read.values) == std::vector<std::string>{"11 covers 12", "12 same_as 12a", "12 covers 13",
+                                                                      "12 covers 14", "11 covers 12", "+ covers 11"});
     CHECK(read.values.relations[0].side == model::StatementSide::Object);
     CHECK(read.values.relations[0].line == 5);
     CHECK(read.values.relations[0].file == "basp.lst");

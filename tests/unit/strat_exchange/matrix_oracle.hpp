@@ -93,7 +93,9 @@ inline MatrixCounts count_matrix(const strat::ImportedRecord& record) {
             for (std::size_t j = 0; j < size; ++j) reach[i][j] |= reach[k][j];
         }
     }
-    const auto reaches = [&](int a, int b) { return reach[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] != 0; };
+    const auto reaches = [&](int a, int b) {
+        return reach[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] != 0;
+    };
 
     // A cycle group is named by its smallest node.
     std::map<int, int> group;

@@ -17,10 +17,11 @@ using planum::test::relation_texts;
 using Texts = std::vector<std::string>;
 
 TEST_CASE("stratigraphr's lists are read from the unit of the row, NA as nothing") {
-    const auto read = read_with(stratigraphr_reader(), {input("s.csv", "context,type,above,below,equal,phase,structure,note\n"
-                                                                       "1,Deposit,NA,\"2,3\",NA,I,,loose\n"
-                                                                       "2,Structural,1,,3,II,Wall A,\n"
-                                                                       "3,Cut,1,nat,,II,Wall A,NA\n")});
+    const auto read =
+        read_with(stratigraphr_reader(), {input("s.csv", "context,type,above,below,equal,phase,structure,note\n"
+                                                         "1,Deposit,NA,\"2,3\",NA,I,,loose\n"
+                                                         "2,Structural,1,,3,II,Wall A,\n"
+                                                         "3,Cut,1,nat,,II,Wall A,NA\n")});
     CHECK(relation_texts(read.values) ==
           Texts{"1 covers 2", "1 covers 3", "1 covers 2", "2 same_as 3", "1 covers 3", "3 covers nat"});
     CHECK(read.values.relations[2].side == model::StatementSide::Object);
@@ -36,16 +37,17 @@ TEST_CASE("stratigraphr's lists are read from the unit of the row, NA as nothing
 }
 
 TEST_CASE("Stratify's table knows groups, parts and a first row that is no unit") {
-    const auto read = read_with(
-        stratify_csv_reader(),
-        {input("s.csv", "Unitname;Unitclass;Earlier than;Later than;Equal to;Contemporary with;Part of;Location;Conditions;Unittype;Period;Phase;\n"
-                        "DUMMY;context;;;;;;;;;;;\n"
-                        "T\xFC"
-                        "r;context;;2, 3;;;House;north;dry;Mauer;Roman;2;\n"
-                        "2;context;T\xFC"
-                        "r;;4;3;;;;Grube;;;\n"
-                        "House;group;9;;;;Town;;;;;;\n")});
-    CHECK(relation_texts(read.values) == Texts{"Tür later 2", "Tür later 3", "Tür later 2", "2 same_as 4", "2 contemporary 3"});
+    const auto read = read_with(stratify_csv_reader(),
+                                {input("s.csv", "Unitname;Unitclass;Earlier than;Later than;Equal to;Contemporary "
+                                                "with;Part of;Location;Conditions;Unittype;Period;Phase;\n"
+                                                "DUMMY;context;;;;;;;;;;;\n"
+                                                "T\xFC"
+                                                "r;context;;2, 3;;;House;north;dry;Mauer;Roman;2;\n"
+                                                "2;context;T\xFC"
+                                                "r;;4;3;;;;Grube;;;\n"
+                                                "House;group;9;;;;Town;;;;;;\n")});
+    CHECK(relation_texts(read.values) ==
+          Texts{"Tür later 2", "Tür later 3", "Tür later 2", "2 same_as 4", "2 contemporary 3"});
     REQUIRE(read.values.units.size() == 2);
     CHECK(read.values.units[0].name.number == "Tür");
     CHECK(read.values.units[0].period == "Roman");
@@ -94,11 +96,14 @@ TEST_CASE("A circle among PolyChron's groups leaves them without ranks and is sa
 }
 
 TEST_CASE("Tables with other columns are refused by name and with the columns looked for") {
-    for (const Reader* reader : {&stratigraphr_reader(), &stratify_csv_reader(), &polychron_reader(), &phaser_csv_reader()}) {
+    for (const Reader* reader :
+         {&stratigraphr_reader(), &stratify_csv_reader(), &polychron_reader(), &phaser_csv_reader()}) {
         INFO(reader->format);
-        CHECK_THROWS_WITH(read_with(*reader, {input("x.csv", "a,b\n1,2\n")}), Catch::StartsWith("x.csv: the first line"));
+        CHECK_THROWS_WITH(read_with(*reader, {input("x.csv", "a,b\n1,2\n")}),
+                          Catch::StartsWith("x.csv: the first line"));
         CHECK_THROWS_WITH(read_with(*reader, {input("x.csv", "")}), Catch::StartsWith("x.csv: "));
-        CHECK_THROWS_WITH(read_with(*reader, {input("x.csv", std::string("\0\1\2\3", 4))}), Catch::StartsWith("x.csv: "));
+        CHECK_THROWS_WITH(read_with(*reader, {input("x.csv", std::string("\0\1\2\3", 4))}),
+                          Catch::StartsWith("x.csv: "));
         const InputFile other = input("x.csv", "a,b\n1,2\n");
         CHECK(reader->recognise(std::span(&other, 1)).confidence == Confidence::No);
     }
@@ -122,8 +127,8 @@ TEST_CASE("PolyChron's own demo is read whole") {
     const auto folder = test::real_data("matrix/polychron/demo");
     if (!folder) return;
     std::vector<InputFile> files;
-    for (const char* name : {"1-strat.csv", "2-dates.csv", "3-context-grouping.csv", "4-group-ordering-with-relationship.csv",
-                             "5-context-equality.csv"}) {
+    for (const char* name : {"1-strat.csv", "2-dates.csv", "3-context-grouping.csv",
+                             "4-group-ordering-with-relationship.csv", "5-context-equality.csv"}) {
         files.push_back(load_input_file(*folder / name));
     }
     const auto read = read_with(polychron_reader(), files);

@@ -63,14 +63,18 @@ TEST_CASE("PHASER's graph gives units with phase and group by their nesting, dat
 
 TEST_CASE("PHASER's tables are read with any delimiter, nearest container first, in any order") {
     const std::vector<InputFile> files = {
-        input("strat.csv", "siteCode\tsourceID\tstratRelationship\ttargetID\nH\t1\tabove\t2\nH\t3\tbelow\t2\nH\t1\tbelow\t+\n"),
-        input("contexts.csv", "siteCode contextID contextType cud description withinPeriod withinPhase withinGroup withinSubgroup\n"
-                              "H 1 Layer \"\" \"a b\" \"\" \"\" \"\" s1\nH 2 Cut \"\" \"\" \"\" P9 \"\" \"\"\n"),
-        input("subgroups.csv", "siteCode;subgroupID;subgroupType;cud;description;withinPeriod;withinPhase;withinGroup\nH;s1;;;;;;g1\n"),
+        input("strat.csv",
+              "siteCode\tsourceID\tstratRelationship\ttargetID\nH\t1\tabove\t2\nH\t3\tbelow\t2\nH\t1\tbelow\t+\n"),
+        input("contexts.csv",
+              "siteCode contextID contextType cud description withinPeriod withinPhase withinGroup withinSubgroup\n"
+              "H 1 Layer \"\" \"a b\" \"\" \"\" \"\" s1\nH 2 Cut \"\" \"\" \"\" P9 \"\" \"\"\n"),
+        input("subgroups.csv",
+              "siteCode;subgroupID;subgroupType;cud;description;withinPeriod;withinPhase;withinGroup\nH;s1;;;;;;g1\n"),
         input("groups.csv", "siteCode|groupID|groupType|cud|description|withinPeriod|withinPhase\nH|g1|Pit||||P1\n"),
         input("phases.csv", "siteCode,phaseID,minYear,maxYear,description,withinPeriod\nH,P1,100,-50,old,R\n"),
         input("periods.csv", "periodID,minYear,maxYear,description,uri\nR,-100,400,Roman,\n"),
-        input("datings.csv", "siteCode,datingID,datingType,minYear,maxYear,description,withinPeriod,withinContext\nH,d1,C14,-40,20,,,1\nH,d2,Pot,1,2,,,\n"),
+        input("datings.csv", "siteCode,datingID,datingType,minYear,maxYear,description,withinPeriod,withinContext\nH,"
+                             "d1,C14,-40,20,,,1\nH,d2,Pot,1,2,,,\n"),
     };
     CHECK(phaser_csv_reader().recognise(files).files.size() == files.size());
     for (const bool reversed : {false, true}) {
@@ -95,8 +99,9 @@ TEST_CASE("PHASER's tables are read with any delimiter, nearest container first,
 }
 
 TEST_CASE("PHASER's older single table repeats the context in every row") {
-    const auto read = read_with(phaser_csv_reader(), {input("old.csv", "siteCode,contextNo,contextType,stratRelationship,relatedContextNo\n"
-                                                                       "H,1,Layer,above,2\nH,1,Layer,below,+\nH,2,Cut,,\nH,2,Cut,above,\n")});
+    const auto read = read_with(
+        phaser_csv_reader(), {input("old.csv", "siteCode,contextNo,contextType,stratRelationship,relatedContextNo\n"
+                                               "H,1,Layer,above,2\nH,1,Layer,below,+\nH,2,Cut,,\nH,2,Cut,above,\n")});
     CHECK(relation_texts(read.values) == Texts{"1 covers 2", "+ covers 1"});
     CHECK(read.values.units.size() == 2);
     CHECK(test::count_notes(read.diagnostics, "empty-target") == 1);
@@ -104,10 +109,12 @@ TEST_CASE("PHASER's older single table repeats the context in every row") {
 
 TEST_CASE("JSON that is damaged, too deep or of another kind is refused with the file's name") {
     const auto& reader = phaser_json_reader();
-    CHECK_THROWS_WITH(read_with(reader, {input("a.json", "{\"elements\":")}), Catch::StartsWith("a.json: not valid JSON at byte"));
+    CHECK_THROWS_WITH(read_with(reader, {input("a.json", "{\"elements\":")}),
+                      Catch::StartsWith("a.json: not valid JSON at byte"));
     CHECK_THROWS_WITH(read_with(reader, {input("a.json", "[1e999]")}), Catch::StartsWith("a.json: "));
     CHECK_THROWS_WITH(read_with(reader, {input("a.json", "[]")}), Catch::StartsWith("a.json: no list elements.nodes"));
-    CHECK_THROWS_WITH(read_with(reader, {input("a.json", std::string(5'000'000, '['))}), Catch::Contains("nested more than 100"));
+    CHECK_THROWS_WITH(read_with(reader, {input("a.json", std::string(5'000'000, '['))}),
+                      Catch::Contains("nested more than 100"));
     CHECK_THROWS_WITH(read_with(reader, {input("a.json", "")}), Catch::StartsWith("a.json: "));
     for (std::size_t size = 1; size < kGraph.size(); size += 3) {
         CHECK_THROWS_AS(read_with(reader, {input("a.json", kGraph.substr(0, size))}), Error);

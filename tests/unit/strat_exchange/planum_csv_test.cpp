@@ -43,35 +43,32 @@ TEST_CASE("Our tables are read together in any order and with any delimiter") {
     CHECK(record.samples.at(0).values.volume == 10.5);
     CHECK(record.datings.at(1).values.kind == model::DatingKind::Coin);
     CHECK(record.levels.size() == 5);
-    CHECK(test::relations_of(record) == Texts{"12 fills 13", "13 cuts 14", "12 covers 14", "13 covers 14",
-                                              "13 same_as 13a ?", "15 covers 16 ?"});
+    CHECK(test::relations_of(record) ==
+          Texts{"12 fills 13", "13 cuts 14", "12 covers 14", "13 covers 14", "13 same_as 13a ?", "15 covers 16 ?"});
     CHECK(record.relations[0].person == "Anna");
     CHECK(record.relations[2].side == model::StatementSide::Object);
     auto notes = test::notes_of(read.diagnostics);
     std::sort(notes.begin(), notes.end());
     CHECK(notes == Texts{"finds.csv:3 unparsed", "finds.csv:3 unparsed", "levels.csv:4 unparsed",
-                         "relations.csv:6 unknown-relation", "units.csv:1 unknown-column",
-                         "units.csv:5 unknown-status", "units.csv:5 unknown-type", "units.csv:5 unparsed"});
+                         "relations.csv:6 unknown-relation", "units.csv:1 unknown-column", "units.csv:5 unknown-status",
+                         "units.csv:5 unknown-type", "units.csv:5 unparsed"});
 }
 
 TEST_CASE("A unit whose number has a comma is one unit, an unknown text with a comma is a list") {
-    const auto read =
-        test::read_all({{"r.csv", "unit,relation,other\n1,covers,\"2, 3\"\n1,covers,\"4, 5\"\n"},
-                        {"u.csv", "unit,title\n1,a\n\"4, 5\",b\n"}});
+    const auto read = test::read_all({{"r.csv", "unit,relation,other\n1,covers,\"2, 3\"\n1,covers,\"4, 5\"\n"},
+                                      {"u.csv", "unit,title\n1,a\n\"4, 5\",b\n"}});
     CHECK(test::relations_of(read.values) == Texts{"1 covers 2", "1 covers 3", "1 covers 4, 5"});
 }
 
 TEST_CASE("A number without its area belongs to the area of the unit beside it") {
-    const auto read =
-        test::read_all({{"r.csv", "unit,area,relation,other,other_area\n1,A,covers,2,\n1,A,covers,3,B\n"
-                                  "C::4,,covers,5,\n"}});
-    CHECK(test::relations_of(read.values) ==
-          Texts{"A::1 covers A::2", "A::1 covers B::3", "C::4 covers C::5"});
+    const auto read = test::read_all({{"r.csv", "unit,area,relation,other,other_area\n1,A,covers,2,\n1,A,covers,3,B\n"
+                                                "C::4,,covers,5,\n"}});
+    CHECK(test::relations_of(read.values) == Texts{"A::1 covers A::2", "A::1 covers B::3", "C::4 covers C::5"});
 }
 
 TEST_CASE("Relation words of four languages are understood") {
-    const auto read = test::read_all(
-        {{"r.csv", "unit,relation,other\n1,liegt unter,2\n1,Taglia,3\n1,sous,4\n1,after,5\n"}});
+    const auto read =
+        test::read_all({{"r.csv", "unit,relation,other\n1,liegt unter,2\n1,Taglia,3\n1,sous,4\n1,after,5\n"}});
     CHECK(test::relations_of(read.values) == Texts{"2 covers 1", "1 cuts 3", "4 covers 1", "1 later 5"});
 }
 

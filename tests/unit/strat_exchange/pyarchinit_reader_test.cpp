@@ -32,11 +32,10 @@ const std::string kRelations = "us,area,settore,rapporti,osservazioni\n"
                                "4,A,S,\"[['Covers', '2'\",\"\"\n"
                                "5,A,S,[],\"\"\n";
 
-const std::string kPeriods =
-    "us,area,settore,periodo_iniziale,fase_iniziale,periodo_finale,fase_finale,datazione\n"
-    "1,A,N,1,1,1,1,Recent (1800 : present)\n"
-    "2,A,N,2,1,1,1,Old (-300 : 100) / Recent (1800 : present)\n"
-    "3,A,S,1,1,\"\",\"\",Recent (1800 : present) / \n";
+const std::string kPeriods = "us,area,settore,periodo_iniziale,fase_iniziale,periodo_finale,fase_finale,datazione\n"
+                             "1,A,N,1,1,1,1,Recent (1800 : present)\n"
+                             "2,A,N,2,1,1,1,Old (-300 : 100) / Recent (1800 : present)\n"
+                             "3,A,S,1,1,\"\",\"\",Recent (1800 : present) / \n";
 
 strat::InputFile database(const test::TemporaryFolder& folder, std::string_view script) {
     const auto file = folder / "site.sqlite";
@@ -139,8 +138,7 @@ INSERT INTO us_relationships_table VALUES ('Hill',10,11,'Copre'),('Hill',11,10,'
     const auto read = read_with(pyarchinit_reader(), {file});
     const ImportedRecord& record = read.values;
     CHECK(record.project_name == "Hill");
-    CHECK(test::relation_texts(record) ==
-          Texts{"10 covers 11", "10 covers 11", "11 covers 12", "10 covers 12"});
+    CHECK(test::relation_texts(record) == Texts{"10 covers 11", "10 covers 11", "11 covers 12", "10 covers 12"});
     CHECK(record.relations.back().side == model::StatementSide::Neither);
     CHECK(unit(record, "11").values.kind == model::UnitKind::Cut);
     CHECK(unit(record, "12").values.form == model::UnitForm::Masonry);
@@ -194,7 +192,8 @@ TEST_CASE("A view or trigger named like a pyArchInit table is not read") {
     CHECK(pyarchinit_reader().recognise(std::span(&file, 1)).confidence == Confidence::No);
     CHECK_THROWS_WITH(read_with(pyarchinit_reader(), {file}), Catch::Contains("no table us_table"));
     const test::TemporaryFolder other;
-    const InputFile trigger = database(other, "CREATE TABLE t(us); CREATE TRIGGER us_table AFTER INSERT ON t BEGIN DELETE FROM t; END;");
+    const InputFile trigger =
+        database(other, "CREATE TABLE t(us); CREATE TRIGGER us_table AFTER INSERT ON t BEGIN DELETE FROM t; END;");
     CHECK_THROWS_WITH(read_with(pyarchinit_reader(), {trigger}), Catch::Contains("no table us_table"));
 }
 

@@ -42,13 +42,11 @@ TEST_CASE("A file that no reader knows is named, with what was looked for") {
 }
 
 TEST_CASE("An unknown format is a usage error that lists the formats") {
-    CHECK_THAT(failure({test::a_file("a.lst", "x")}, "wordstar"),
-               Contains("no format wordstar") && Contains("lst"));
+    CHECK_THAT(failure({test::a_file("a.lst", "x")}, "wordstar"), Contains("no format wordstar") && Contains("lst"));
 }
 
 TEST_CASE("A named format takes all files") {
-    const std::vector files = {test::a_file("a", "t\n\nName\n1\n  below: 2\n"),
-                               test::a_file("b", "t\n\nName\n3\n")};
+    const std::vector files = {test::a_file("a", "t\n\nName\n1\n  below: 2\n"), test::a_file("b", "t\n\nName\n3\n")};
     const auto plan = plan_reading(files, "lst");
     REQUIRE(plan.size() == 1);
     CHECK(plan[0].files == std::vector<std::size_t>{0, 1});

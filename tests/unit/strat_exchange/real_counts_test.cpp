@@ -55,8 +55,7 @@ TEST_CASE("The transcribed books give 75 units and the five whose base lies abov
     const auto read = test::read_all(test::load_folder(*path));
     // The 75 are those with a page or in a relation; what `equals` names comes on top.
     auto without_equals = read.values;
-    std::erase_if(without_equals.relations,
-                  [](const auto& r) { return r.kind == model::RelationKind::SameAs; });
+    std::erase_if(without_equals.relations, [](const auto& r) { return r.kind == model::RelationKind::SameAs; });
     CHECK(test::counts_of(without_equals).units == 75);
     std::map<strat::UnitName, double> tops;
     std::set<std::string> contradicted;

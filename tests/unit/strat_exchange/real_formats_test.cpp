@@ -37,7 +37,8 @@ TEST_CASE("Real files are taken for their format without being told") {
         INFO(set.paths.front());
         std::vector<InputFile> files;
         for (const std::string_view path : set.paths) {
-            if (const auto file = test::real_data("matrix/" + std::string(path))) files.push_back(load_input_file(*file));
+            if (const auto file = test::real_data("matrix/" + std::string(path)))
+                files.push_back(load_input_file(*file));
         }
         if (files.size() != set.paths.size()) continue;
         const auto plan = plan_reading(files, {});

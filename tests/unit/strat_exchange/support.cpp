@@ -38,8 +38,7 @@ void merge(strat::Imported<strat::ImportedRecord>& to, strat::Imported<strat::Im
 
 std::vector<strat::InputFile> to_files(Files files) {
     std::vector<strat::InputFile> result;
-    for (const auto& [name, bytes] : files)
-        result.push_back(a_file(name, bytes));
+    for (const auto& [name, bytes] : files) result.push_back(a_file(name, bytes));
     return result;
 }
 
@@ -57,13 +56,11 @@ strat::InputFile a_file(std::string_view name, std::string_view bytes) {
     return file;
 }
 
-strat::Imported<strat::ImportedRecord> read_all(const std::vector<strat::InputFile>& files,
-                                                std::string_view format) {
+strat::Imported<strat::ImportedRecord> read_all(const std::vector<strat::InputFile>& files, std::string_view format) {
     strat::Imported<strat::ImportedRecord> all;
     for (const strat::Reading& reading : strat::plan_reading(files, format)) {
         std::vector<const strat::InputFile*> chosen;
-        for (const std::size_t file : reading.files)
-            chosen.push_back(&files.at(file));
+        for (const std::size_t file : reading.files) chosen.push_back(&files.at(file));
         merge(all, reading.reader->read(chosen, {}, Progress::none()));
     }
     return all;
@@ -81,9 +78,7 @@ std::string format_of(const std::vector<strat::InputFile>& files) {
     return formats;
 }
 
-std::string format_of(Files files) {
-    return format_of(to_files(files));
-}
+std::string format_of(Files files) { return format_of(to_files(files)); }
 
 std::vector<strat::InputFile> load_folder(const std::filesystem::path& path) {
     if (!std::filesystem::is_directory(path)) return {strat::load_input_file(path)};
@@ -93,8 +88,7 @@ std::vector<strat::InputFile> load_folder(const std::filesystem::path& path) {
     }
     std::sort(names.begin(), names.end());
     std::vector<strat::InputFile> files;
-    for (const auto& name : names)
-        files.push_back(strat::load_input_file(name));
+    for (const auto& name : names) files.push_back(strat::load_input_file(name));
     return files;
 }
 
@@ -114,8 +108,7 @@ std::map<std::string, std::vector<strat::InputFile>> all_samples() {
 std::vector<std::string> relations_of(const strat::ImportedRecord& record) {
     std::vector<std::string> texts;
     for (const strat::StatedRelation& r : record.relations) {
-        texts.push_back(fmt::format("{} {} {}{}", text_of(r.subject), model::to_word(r.kind),
-                                    text_of(r.object),
+        texts.push_back(fmt::format("{} {} {}{}", text_of(r.subject), model::to_word(r.kind), text_of(r.object),
                                     r.certainty == model::Certainty::Uncertain ? " ?" : ""));
     }
     return texts;
@@ -123,8 +116,7 @@ std::vector<std::string> relations_of(const strat::ImportedRecord& record) {
 
 std::vector<std::string> notes_of(const std::vector<strat::ReadNote>& notes) {
     std::vector<std::string> texts;
-    for (const strat::ReadNote& n : notes)
-        texts.push_back(fmt::format("{}:{} {}", n.file, n.line, n.code));
+    for (const strat::ReadNote& n : notes) texts.push_back(fmt::format("{}:{} {}", n.file, n.line, n.code));
     return texts;
 }
 
@@ -135,25 +127,17 @@ Counts counts_of(const strat::ImportedRecord& record) {
     std::set<Pair> same;
     std::set<Pair> contemporary;
     std::set<std::string> self;
-    for (const strat::ImportedUnit& unit : record.units)
-        units.insert(text_of(unit.name));
+    for (const strat::ImportedUnit& unit : record.units) units.insert(text_of(unit.name));
     for (const strat::StatedRelation& r : record.relations) {
         const std::string a = text_of(r.subject);
         const std::string b = text_of(r.object);
         units.insert(a);
         units.insert(b);
         switch (model::time_meaning(r.kind)) {
-        case model::TimeMeaning::SubjectLater:
-            a == b ? void(self.insert(a)) : void(orders.insert({a, b}));
-            break;
-        case model::TimeMeaning::SameUnit:
-            same.insert(std::minmax(a, b));
-            break;
-        case model::TimeMeaning::SameTime:
-            contemporary.insert(std::minmax(a, b));
-            break;
-        case model::TimeMeaning::None:
-            break;
+        case model::TimeMeaning::SubjectLater: a == b ? void(self.insert(a)) : void(orders.insert({a, b})); break;
+        case model::TimeMeaning::SameUnit: same.insert(std::minmax(a, b)); break;
+        case model::TimeMeaning::SameTime: contemporary.insert(std::minmax(a, b)); break;
+        case model::TimeMeaning::None: break;
         }
     }
     Counts counts{units.size(), orders.size(), same.size(), contemporary.size(), self.size(), 0, 0};
@@ -172,8 +156,7 @@ Counts counts_of(const strat::ImportedRecord& record) {
         }
     }
     std::map<std::string, std::string> smallest; // of those that are the same
-    for (const std::string& unit : units)
-        smallest[unit] = unit;
+    for (const std::string& unit : units) smallest[unit] = unit;
     for (bool changes = true; changes;) {
         changes = false;
         for (const Pair& pair : same) {
@@ -189,8 +172,8 @@ Counts counts_of(const strat::ImportedRecord& record) {
 }
 
 std::string to_text(const Counts& c) {
-    return fmt::format("units {} orders {} same-as {} contemporary {} self {} mutual {} isolated {}", c.units,
-                       c.orders, c.same_as, c.contemporary, c.self, c.mutual, c.isolated);
+    return fmt::format("units {} orders {} same-as {} contemporary {} self {} mutual {} isolated {}", c.units, c.orders,
+                       c.same_as, c.contemporary, c.self, c.mutual, c.isolated);
 }
 
 } // namespace planum::test

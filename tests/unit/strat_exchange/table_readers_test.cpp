@@ -52,10 +52,9 @@ TEST_CASE("hm observations alone are read") {
 }
 
 TEST_CASE("hm tables: a data package names the tables, which then need neither headings nor telling names") {
-    const auto read =
-        test::read_all({{"a.csv", "1,deposit,other,,,\n"},
-                        {"b.csv", "1,2,\n"},
-                        {"datapackage.json", R"({"resources": [{"name": "contexts", "path": "data/a.csv"},
+    const auto read = test::read_all({{"a.csv", "1,deposit,other,,,\n"},
+                                      {"b.csv", "1,2,\n"},
+                                      {"datapackage.json", R"({"resources": [{"name": "contexts", "path": "data/a.csv"},
                                                 {"name": "observations", "path": "data/b.csv"}]})"}});
     CHECK(read.values.units.size() == 1);
     CHECK(test::relations_of(read.values) == Texts{"1 covers 2"});
@@ -94,14 +93,13 @@ TEST_CASE("Excavation books: verbs, numbers unique per book, heights in centimet
     CHECK(record.units[0].phase == "s1");
     CHECK(record.units[1].values.kind == model::UnitKind::Cut);
     CHECK(record.units[2].values.form == model::UnitForm::Masonry);
-    CHECK(test::relations_of(record) ==
-          Texts{"A1::f1 covers A1::f2", "A1::f2 covers A1::f3", "A1::f2 same_as A1::f7",
-                "A1::f2 same_as B1::f9", "A1::f6 fills A1::f5", "A1::f5 cuts A1::f2", "B1::f9 abuts B1::f8"});
+    CHECK(test::relations_of(record) == Texts{"A1::f1 covers A1::f2", "A1::f2 covers A1::f3", "A1::f2 same_as A1::f7",
+                                              "A1::f2 same_as B1::f9", "A1::f6 fills A1::f5", "A1::f5 cuts A1::f2",
+                                              "B1::f9 abuts B1::f8"});
     CHECK(record.relations[0].side == model::StatementSide::Object);
     REQUIRE(record.levels.size() == 2);
     CHECK(record.levels[0].values.z == Approx(92.11));
     CHECK(record.levels[1].values.role == model::LevelRole::Base);
-    CHECK(test::notes_of(read.diagnostics) == Texts{"books.csv:2 conflicting-value",
-                                                    "books.csv:2 unknown-relation", "books.csv:3 unparsed",
-                                                    "books.csv:3 unparsed"});
+    CHECK(test::notes_of(read.diagnostics) == Texts{"books.csv:2 conflicting-value", "books.csv:2 unknown-relation",
+                                                    "books.csv:3 unparsed", "books.csv:3 unparsed"});
 }

@@ -48,14 +48,14 @@ model::Record small_record() {
     relation.object = record.units[1].id;
     relation.certainty = model::Certainty::Uncertain;
     record.relations.push_back(relation);
-    record.levels.push_back({model::LevelId{ids.next()}, record.units[0].id, 1.5, std::nullopt, 12.34,
-                             model::LevelRole::Top, ""});
+    record.levels.push_back(
+        {model::LevelId{ids.next()}, record.units[0].id, 1.5, std::nullopt, 12.34, model::LevelRole::Top, ""});
     return record;
 }
 
 const std::string& bytes_of(const Written& written, std::string_view name) {
-    const auto it = std::find_if(written.files.begin(), written.files.end(),
-                                 [&](const auto& f) { return f.name == name; });
+    const auto it =
+        std::find_if(written.files.begin(), written.files.end(), [&](const auto& f) { return f.name == name; });
     REQUIRE(it != written.files.end());
     return it->bytes;
 }
@@ -92,12 +92,11 @@ TEST_CASE("A writer says in numbers what its format cannot carry") {
 
 TEST_CASE("A .lst is Latin-1 with three lines of title and four keys a unit") {
     const Written written = writer_for("lst").write(small_record(), {});
-    CHECK(written.files.at(0).bytes ==
-          "   Stratigraphic Dataset Mill \"old\"\r\n\r\n  Name\r\n"
-          "12   =SUM(A1)\r\n            above: \r\n            contemporary with: \r\n"
-          "            equal to: \r\n            below: 13\r\n"
-          "13   =SUM(A1)\r\n            above: 12\r\n            contemporary with: \r\n"
-          "            equal to: \r\n            below: \r\n");
+    CHECK(written.files.at(0).bytes == "   Stratigraphic Dataset Mill \"old\"\r\n\r\n  Name\r\n"
+                                       "12   =SUM(A1)\r\n            above: \r\n            contemporary with: \r\n"
+                                       "            equal to: \r\n            below: 13\r\n"
+                                       "13   =SUM(A1)\r\n            above: 12\r\n            contemporary with: \r\n"
+                                       "            equal to: \r\n            below: \r\n");
 }
 
 TEST_CASE("GraphML has shapes with labels, data with uuids and one edge a relation") {
@@ -129,10 +128,10 @@ TEST_CASE("JSON of a record keeps to its schema") {
     }
     const test::TemporaryFolder folder;
     const auto path = folder.write("r.json", writer_for("json").write(small_record(), {}).files.at(0).bytes);
-    const std::string command = fmt::format(
-        "python3 -c 'import json,sys,jsonschema; jsonschema.validate(json.load(open(sys.argv[1])), "
-        "json.load(open(sys.argv[2])))' '{}' '{}'",
-        path.string(), (test::source_folder() / "schema/json/record.schema.json").string());
+    const std::string command =
+        fmt::format("python3 -c 'import json,sys,jsonschema; jsonschema.validate(json.load(open(sys.argv[1])), "
+                    "json.load(open(sys.argv[2])))' '{}' '{}'",
+                    path.string(), (test::source_folder() / "schema/json/record.schema.json").string());
     CHECK(std::system(command.c_str()) == 0);
 }
 

@@ -20,7 +20,8 @@ DrawnGraph graph_of(const model::Record& record, const DrawingOptions& options =
 
 std::vector<std::string> order_names(const DrawnGraph& graph) {
     std::vector<std::string> names;
-    for (const GraphOrder& o : graph.orders) names.push_back(graph.boxes[o.later].name + ">" + graph.boxes[o.earlier].name);
+    for (const GraphOrder& o : graph.orders)
+        names.push_back(graph.boxes[o.later].name + ">" + graph.boxes[o.earlier].name);
     return names;
 }
 
@@ -32,7 +33,8 @@ TEST_CASE("Only immediate orders are drawn") {
 }
 
 TEST_CASE("Units merged by same_as share a box") {
-    const DrawnGraph graph = graph_of(a_matrix().above("1", "2").relate("2", model::RelationKind::SameAs, "7").record());
+    const DrawnGraph graph =
+        graph_of(a_matrix().above("1", "2").relate("2", model::RelationKind::SameAs, "7").record());
     REQUIRE(graph.boxes.size() == 2);
     CHECK(graph.boxes[1].box.lines == std::vector<std::string>{"2 = 7"});
 }
@@ -101,7 +103,8 @@ TEST_CASE("An order is uncertain only if nothing certain says it") {
 }
 
 TEST_CASE("Cycles stay in the drawing, all of their orders, marked") {
-    const DrawnGraph graph = graph_of(a_matrix().above("1", "2").above("2", "3").above("3", "1").above("3", "4").record());
+    const DrawnGraph graph =
+        graph_of(a_matrix().above("1", "2").above("2", "3").above("3", "1").above("3", "4").record());
     CHECK(graph.orders.size() == 4);
     CHECK(graph.orders[0].line.in_cycle);
     CHECK(graph.boxes[0].box.in_cycle);

@@ -21,7 +21,8 @@ MatrixDrawing drawn(const model::Record& record, const GraphvizOptions& options 
 } // namespace
 
 TEST_CASE("Graphviz in the child process puts later units above earlier ones") {
-    const MatrixDrawing drawing = drawn(a_matrix().above("1", "2").above("1", "3").above("2", "4").above("3", "4").record());
+    const MatrixDrawing drawing =
+        drawn(a_matrix().above("1", "2").above("1", "3").above("2", "4").above("3", "4").record());
     REQUIRE(drawing.boxes.size() == 4);
     REQUIRE(drawing.lines.size() == 4);
     for (const DrawnLine& line : drawing.lines) {

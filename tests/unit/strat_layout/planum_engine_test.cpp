@@ -60,7 +60,8 @@ TEST_CASE("A cycle is drawn whole, red, and its upward line says so") {
     const MatrixDrawing drawing = drawing_of(record);
     CHECK(broken_law(record, drawing).empty());
     CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.upwards; }) == 1);
-    CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.in_cycle; }) == 3);
+    CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.in_cycle; }) ==
+          3);
 }
 
 TEST_CASE("Two units each above the other are both lines, one down, one up") {
@@ -197,7 +198,8 @@ TEST_CASE("A common bar that states too much is read as it looks") {
     MatrixDrawing drawing = drawing_of(a_matrix().above("1", "3").above("1", "4").above("2", "4").record());
     REQUIRE(drawing.boxes.size() == 4);
     const double bar = 200.0;
-    for (std::size_t i = 0; i < 4; ++i) drawing.boxes[i].rect = {i % 2 == 0 ? 40.0 : 140.0, i < 2 ? 100.0 : 250.0, 40.0, 20.0};
+    for (std::size_t i = 0; i < 4; ++i)
+        drawing.boxes[i].rect = {i % 2 == 0 ? 40.0 : 140.0, i < 2 ? 100.0 : 250.0, 40.0, 20.0};
     for (DrawnLine& line : drawing.lines) {
         const DrawRect& a = drawing.boxes[line.later].rect;
         const DrawRect& b = drawing.boxes[line.earlier].rect;
