@@ -70,9 +70,19 @@ class Assembler {
         if (tracks > 0) {
             height = std::max(height, 2.0 * style::kChannelMargin + style::kTrackGap * static_cast<double>(tracks - 1));
         }
-        // Lines may run along a band's edge, not on it: both neighbours get air.
-        if (!m_.band_begin.empty() && begins_band(c)) height += outside ? 10.0 : 18.0;
-        return height;
+        return height + edge_height(c);
+    }
+
+    // A band's edge has a strip of the channel to itself, above all horizontal lines: none may run along it.
+    [[nodiscard]] double edge_height(std::size_t c) const {
+        if (m_.band_begin.empty() || !begins_band(c)) return 0.0;
+        return c == 0 || c == m_.levels.size() ? 9.0 : 14.0;
+    }
+
+    [[nodiscard]] double edge_y(std::size_t c) const {
+        if (c == 0) return channel_top_[c];
+        if (c == m_.levels.size()) return channel_bottom_[c];
+        return channel_top_[c] + std::min(9.0, channel_height(c) / 2.0);
     }
 
     void place_levels() {
@@ -115,9 +125,10 @@ class Assembler {
         }
     }
 
-    // Tracks stand in the middle of the channel.
+    // Tracks stand in the middle of the channel, or of what a band's edge leaves of it.
     [[nodiscard]] double track_y(std::size_t channel, std::int32_t track) const {
-        const double middle = (channel_top_[channel] + channel_bottom_[channel]) / 2.0;
+        const double edge = channel == m_.levels.size() ? -edge_height(channel) : edge_height(channel);
+        const double middle = (channel_top_[channel] + channel_bottom_[channel] + edge) / 2.0;
         return middle +
                style::kTrackGap * (static_cast<double>(track) - static_cast<double>(routes_[channel].tracks - 1) / 2.0);
     }
@@ -204,8 +215,8 @@ class Assembler {
             DrawnBand band;
             band.id = graph_.bands[b].id;
             band.heading = graph_.bands[b].heading;
-            band.rect.y = (channel_top_[first] + channel_bottom_[first]) / 2.0;
-            band.rect.height = (channel_top_[after] + channel_bottom_[after]) / 2.0 - band.rect.y;
+            band.rect.y = edge_y(first);
+            band.rect.height = edge_y(after) - band.rect.y;
             if (band.rect.height > 0.0) drawing_.bands.push_back(std::move(band));
         }
     }

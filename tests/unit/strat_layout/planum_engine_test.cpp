@@ -111,6 +111,28 @@ TEST_CASE("Bands enclose their units and nobody else's") {
     CHECK(inside("5", 2));
 }
 
+TEST_CASE("No line runs along the edge of a band") {
+    auto builder = a_matrix();
+    for (int i = 1; i <= 12; ++i) builder.phase(std::to_string(i), "P" + std::to_string((i - 1) / 4), -(i - 1) / 4);
+    for (int i = 1; i <= 8; ++i) builder.above(std::to_string(i), std::to_string(i + 4));
+    builder.above("1", "6").above("1", "7").above("4", "6").above("5", "11").above("8", "10");
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    const model::Record record = builder.record();
+    const MatrixDrawing drawing = drawing_of(record, options);
+    REQUIRE(drawing.bands.size() == 3);
+    CHECK(broken_law(record, drawing).empty());
+    for (const DrawnBand& band : drawing.bands) {
+        for (const DrawnLine& line : drawing.lines) {
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                if (line.points[i].y != line.points[i - 1].y) continue;
+                CHECK(std::abs(line.points[i].y - band.rect.y) > 4.0);
+                CHECK(std::abs(line.points[i].y - band.rect.bottom()) > 4.0);
+            }
+        }
+    }
+}
+
 TEST_CASE("An order against the phases is drawn upwards, not left out") {
     auto builder = a_matrix().above("1", "2").above("2", "3");
     builder.phase("1", "old", 1).phase("2", "young", 2).phase("3", "old", 1);
