@@ -2,11 +2,14 @@
 #include "app/demo/demo_job.hpp"
 
 #include <string>
+#include <vector>
 
 #include "app/checks/daily_check.hpp"
 #include "app/drawing/draw_matrix.hpp"
 #include "app/import/import_service.hpp"
 #include "app/reports/report.hpp"
+#include "app/scans/add_scans.hpp"
+#include "app/scans/days_surface.hpp"
 #include "core/base/file.hpp"
 #include "strat/layout/svg_writer.hpp"
 
@@ -26,6 +29,14 @@ Project project_of(const fs::path& file, const fs::path& sheets, model::DigMetho
     return project;
 }
 
+std::vector<fs::path> day_folders(const fs::path& folder) {
+    std::vector<fs::path> days;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.is_directory() && is_day(entry.path().filename().string())) days.push_back(entry.path());
+    }
+    return days;
+}
+
 } // namespace
 
 DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& options, const Session& session,
@@ -41,6 +52,7 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
     job.project = folder / "demo.gpkg";
     Project project = project_of(job.project, folder / "record", options.method, session, progress);
     job.units = project.record().units.size();
+    add_scans(project, day_folders(folder), {}, progress);
     const DailyCheck check = check_project(project, {}, progress);
     job.errors = check.count(model::Severity::Error);
     job.warnings = check.count(model::Severity::Warning);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/records/field_table.hpp"
 
+#include "app/scans/days_surface.hpp"
+
 namespace planum::app {
 
 namespace {
@@ -29,14 +31,24 @@ std::vector<Field<model::Surface>> surface_fields() {
     return fields;
 }
 
+// A surface without a name of its own goes by its day.
+class SurfaceKind final : public NamedKind<model::Surface> {
+  public:
+    SurfaceKind() : NamedKind("surface", &model::Record::surfaces, &model::Surface::name, surface_fields()) {}
+
+  protected:
+    [[nodiscard]] std::string name_of(const model::Surface& surface, Project& project) const override {
+        return surface_name(project.record(), surface);
+    }
+};
+
 } // namespace
 
 void add_place_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds) {
     using model::Record;
     kinds.push_back(
         std::make_unique<NamedKind<model::Area>>("area", &Record::areas, &model::Area::name, area_fields()));
-    kinds.push_back(std::make_unique<NamedKind<model::Surface>>("surface", &Record::surfaces, &model::Surface::name,
-                                                                surface_fields()));
+    kinds.push_back(std::make_unique<SurfaceKind>());
 }
 
 } // namespace planum::app

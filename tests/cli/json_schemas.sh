@@ -37,6 +37,10 @@ holds history history site.gpkg --unit 4
 holds verify verify site.gpkg
 holds today today site.gpkg
 holds record-show unit show site.gpkg 2
+mkdir -p 2025-06-01 && printf '1 2 3\n4 5 6\n' >2025-06-01/station1.xyz
+holds scan-add scan add site.gpkg 2025-06-01
+holds scan-add scan add site.gpkg 2025-06-01
+holds scan-list scan list site.gpkg
 for kind in unit relation phase period group dating find level sample document area surface; do
   holds record-list "$kind" list site.gpkg
 done

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "app/scans/add_scans.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/scans/days_surface.hpp"
+#include "app/scans/scan_stores.hpp"
+#include "core/base/error.hpp"
+#include "core/base/sha256.hpp"
+#include "core/base/text.hpp"
+#include "scans/cloud/store_builder.hpp"
+#include "scans/formats/scan_reader.hpp"
+
+namespace planum::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool has_scan_ending(const fs::path& file) {
+    static const std::set<std::string> endings = {".ptx", ".e57", ".las", ".ply", ".pcd",
+                                                  ".pts", ".xyz", ".3d",  ".laz"};
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return endings.contains(ending);
+}
+
+struct FoundFiles {
+    std::vector<fs::path> files;
+    std::vector<std::string> left_aside;
+};
+
+// A folder gives its scan files only: beside them lie markers, outlines and notes.
+FoundFiles expand(const std::vector<fs::path>& inputs) {
+    FoundFiles found;
+    for (const fs::path& input : inputs) {
+        if (!fs::exists(input)) throw Error(ErrorCode::NotFound, input.string() + ": no such file or folder");
+        if (!fs::is_directory(input)) {
+            found.files.push_back(input);
+            continue;
+        }
+        for (auto walk = fs::recursive_directory_iterator(input); walk != fs::recursive_directory_iterator(); ++walk) {
+            const fs::directory_entry& entry = *walk;
+            // Point stores end in .pts as the text format does; a project's caches are no scans.
+            if (entry.is_directory() && entry.path().extension() == ".scans") walk.disable_recursion_pending();
+            if (!entry.is_regular_file()) continue;
+            if (has_scan_ending(entry.path())) {
+                found.files.push_back(entry.path());
+            } else if (entry.path().extension() != ".pose") {
+                found.left_aside.push_back(entry.path().string() + ": not the ending of a scan");
+            }
+        }
+    }
+    const auto natural = [](const auto& a, const auto& b) { return text::natural_order(a, b) < 0; };
+    std::sort(found.files.begin(), found.files.end(),
+              [&](const fs::path& a, const fs::path& b) { return natural(a.string(), b.string()); });
+    std::sort(found.left_aside.begin(), found.left_aside.end(), natural);
+    found.files.erase(std::unique(found.files.begin(), found.files.end()), found.files.end());
+    if (found.files.empty())
+        throw Error(ErrorCode::Usage, "no scan file there (.ptx .e57 .las .ply .pcd .pts .xyz .3d)");
+    return found;
+}
+
+// What is to be added, before anything is made.
+struct Plan {
+    struct File {
+        fs::path path;
+        std::unique_ptr<scans::ScanReader> reader;
+        std::vector<AddedScan> clouds;
+    };
+
+    std::vector<File> files;
+    std::vector<ScanThere> there_already;
+};
+
+std::string day_for(const fs::path& file, const scans::CloudHeader& header, const AddScansOptions& options,
+                    std::vector<std::string>& notes) {
+    if (!options.day.empty()) return options.day;
+    if (const auto day = scans::day_of_folder(fs::absolute(file))) return *day;
+    const std::string own = header.acquired_from.substr(0, 10);
+    if (is_day(own)) {
+        notes.push_back("the day is the one written in the file");
+        return own;
+    }
+    throw Error(ErrorCode::Usage, file.string() + ": of which day? Put it into a folder named by its date "
+                                                  "(2025-06-01) or say --day 2025-06-01");
+}
+
+std::string path_to_keep(const fs::path& project, const fs::path& file) {
+    const fs::path whole = fs::weakly_canonical(file);
+    const fs::path relative = whole.lexically_relative(fs::weakly_canonical(fs::absolute(project)).parent_path());
+    return relative.empty() ? whole.string() : relative.string();
+}
+
+class Planner {
+  public:
+    Planner(Project& project, const AddScansOptions& options) : project_(project), options_(options) {
+        for (const model::Scan& scan : project.record().scans) {
+            by_content_[{scan.sha256, scan.cloud}] = scan.name;
+            by_name_[scan.name] = scan.format;
+        }
+    }
+
+    void add(const fs::path& path, Progress& progress) {
+        progress.step("looking into " + path.filename().string());
+        const std::string hash = sha256_of_file(path);
+        if (const auto there = by_content_.find({hash, 0}); there != by_content_.end()) {
+            plan_.there_already.push_back({path.string(), there->second});
+            return;
+        }
+        Plan::File file{path, scans::open_scan(path, {options_.columns}, progress), {}};
+        const auto& clouds = file.reader->clouds();
+        if (clouds.empty()) throw Error(ErrorCode::BadInput, path.string() + ": has no scan in it");
+        for (std::size_t c = 0; c < clouds.size(); ++c) file.clouds.push_back(cloud_of(file, c, hash));
+        plan_.files.push_back(std::move(file));
+    }
+
+    [[nodiscard]] Plan take() { return std::move(plan_); }
+
+  private:
+    AddedScan cloud_of(const Plan::File& file, std::size_t cloud, const std::string& hash) {
+        const scans::CloudHeader& header = file.reader->clouds()[cloud];
+        const scans::ScanFileInfo& info = file.reader->info();
+        AddedScan added;
+        added.notes = cloud == 0 ? info.notes : std::vector<std::string>{};
+        added.notes.insert(added.notes.end(), header.notes.begin(), header.notes.end());
+        if (!info.column_guess.empty() && cloud == 0) added.notes.push_back("columns read as " + info.column_guess);
+        model::Scan& scan = added.scan;
+        scan.day = day_for(file.path, header, options_, added.notes);
+        scan.format = scans::format_name(info.format);
+        scan.name = name_for(file.path, scan.day, scan.format, cloud);
+        scan.path = path_to_keep(project_.path(), file.path);
+        scan.sha256 = hash;
+        scan.cloud = static_cast<std::int64_t>(cloud);
+        scan.rows = static_cast<std::int64_t>(header.rows);
+        scan.columns = static_cast<std::int64_t>(header.columns);
+        scan.sensor = header.sensor;
+        scan.acquired_at = header.acquired_from;
+        if (header.has_pose) {
+            scan.header_pose.emplace();
+            Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(scan.header_pose->data()) =
+                header.site_from_scan.matrix();
+        }
+        by_content_[{hash, scan.cloud}] = scan.name;
+        by_name_[scan.name] = scan.format;
+        return added;
+    }
+
+    // `DAY/STEM`, with the ending where another format has that stem, and `#2` for further clouds.
+    [[nodiscard]] std::string name_for(const fs::path& path, const std::string& day, const std::string& format,
+                                       std::size_t cloud) const {
+        const std::string further = cloud > 0 ? fmt::format("#{}", cloud + 1) : "";
+        const std::string plain = fmt::format("{}/{}{}", day, path.stem().string(), further);
+        const auto there = by_name_.find(plain);
+        if (there == by_name_.end()) return plain;
+        const std::string with_ending = fmt::format("{}/{}{}", day, path.filename().string(), further);
+        if (there->second != format && !by_name_.contains(with_ending)) return with_ending;
+        throw Error(ErrorCode::Conflict,
+                    fmt::format("{}: the project has another scan {} with other content; rename the file, say another "
+                                "--day, or delete that scan first",
+                                path.string(), plain));
+    }
+
+    Project& project_;
+    const AddScansOptions& options_;
+    std::map<std::pair<std::string, std::int64_t>, std::string> by_content_;
+    std::map<std::string, std::string> by_name_; // format of the scan of that name
+    Plan plan_;
+};
+
+// Removes the stores made so far unless they are kept.
+class MadeStores {
+  public:
+    MadeStores() = default;
+    MadeStores(const MadeStores&) = delete;
+    MadeStores& operator=(const MadeStores&) = delete;
+
+    ~MadeStores() {
+        std::error_code ignored;
+        for (const fs::path& file : files_) fs::remove(file, ignored);
+        if (!folder_.empty()) fs::remove(folder_, ignored); // only when it is empty
+    }
+
+    void make_folder(const fs::path& folder) {
+        std::error_code error;
+        const bool made = fs::create_directories(folder, error);
+        if (error) throw Error(ErrorCode::Io, folder.string() + ": cannot be made: " + error.message());
+        if (made) folder_ = folder;
+    }
+
+    void add(const fs::path& file) { files_.push_back(file); }
+
+    void keep() {
+        files_.clear();
+        folder_.clear();
+    }
+
+  private:
+    std::vector<fs::path> files_;
+    fs::path folder_;
+};
+
+void make_stores(const Project& project, Plan& plan, MadeStores& made, Progress& progress) {
+    made.make_folder(scans_folder(project.path()));
+    for (Plan::File& file : plan.files) {
+        for (AddedScan& added : file.clouds) {
+            model::Scan& scan = added.scan;
+            progress.step("reading " + scan.name);
+            const fs::path store = store_path(project.path(), scan);
+            const auto cloud = static_cast<std::size_t>(scan.cloud);
+            const bool was_there = fs::exists(store);
+            const scans::StoreSummary summary = scans::build_store(
+                *file.reader, cloud, store,
+                scans::store_info(file.reader->clouds()[cloud], scan.name, scan.sha256, cloud), {}, progress);
+            if (!was_there) made.add(store);
+            scan.points = static_cast<std::int64_t>(summary.points);
+            if (summary.points == 0) added.notes.push_back("has no valid point");
+            if (summary.too_far > 0) {
+                added.notes.push_back(fmt::format("{} points over 131 km away were left out", summary.too_far));
+            }
+        }
+        file.reader.reset();
+    }
+}
+
+model::AreaId area_for(const model::Record& record, const std::string& name) {
+    if (name.empty()) return record.areas.size() == 1 ? record.areas.front().id : model::AreaId{};
+    for (const model::Area& area : record.areas) {
+        if (area.name == name) return area.id;
+    }
+    throw Error(ErrorCode::NotFound, fmt::format("no area {}; planum area list shows them", name));
+}
+
+std::string label_of(const std::vector<AddedScan>& added) {
+    if (added.size() == 1) return "Add scan " + added.front().scan.name;
+    return fmt::format("Add {} scans", added.size());
+}
+
+} // namespace
+
+AddScansReport add_scans(Project& project, const std::vector<fs::path>& inputs, const AddScansOptions& options,
+                         Progress& progress) {
+    if (!options.day.empty() && !is_day(options.day)) {
+        throw Error(ErrorCode::Usage, fmt::format("--day {}: not a day of the calendar as 2025-06-01", options.day));
+    }
+    const model::AreaId area = area_for(project.record(), options.area);
+    const model::Surface* named = nullptr;
+    if (!options.surface.empty()) {
+        named = surface_named(project.record(), options.surface, area);
+        if (named == nullptr) {
+            throw Error(ErrorCode::NotFound,
+                        fmt::format("no surface {}; planum surface list shows them", options.surface));
+        }
+    }
+
+    AddScansReport report;
+    FoundFiles found = expand(inputs);
+    report.left_aside = std::move(found.left_aside);
+    Planner planner(project, options);
+    for (const fs::path& file : found.files) planner.add(file, progress);
+    Plan plan = planner.take();
+    report.there_already = std::move(plan.there_already);
+    if (plan.files.empty()) return report;
+
+    MadeStores made;
+    make_stores(project, plan, made, progress);
+    for (Plan::File& file : plan.files) {
+        std::move(file.clouds.begin(), file.clouds.end(), std::back_inserter(report.added));
+    }
+    const model::SurfaceId given = named != nullptr ? named->id : model::SurfaceId{};
+    std::vector<model::Surface> surfaces = project.record().surfaces;
+    report.change = project.change(label_of(report.added), [&] {
+        for (AddedScan& added : report.added) {
+            added.scan.surface = given.is_nil() ? surface_of_day(project, surfaces, area, added.scan.day) : given;
+            added.scan.id = project.file().insert(added.scan);
+        }
+    });
+    made.keep();
+    return report;
+}
+
+} // namespace planum::app

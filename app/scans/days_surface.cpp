@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "app/scans/days_surface.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+
+namespace planum::app {
+
+namespace {
+
+// Positions of the surfaces of one area in the order they were made bare.
+std::vector<const model::Surface*> in_order(const std::vector<model::Surface>& all, model::AreaId area) {
+    std::vector<const model::Surface*> found;
+    for (const model::Surface& surface : all) {
+        if (surface.area == area) found.push_back(&surface);
+    }
+    std::stable_sort(found.begin(), found.end(), [](const model::Surface* a, const model::Surface* b) {
+        return std::tie(a->order, a->first_day) < std::tie(b->order, b->first_day);
+    });
+    return found;
+}
+
+// Ascending in time without touching what is there: YYYYMMDD and a digit for the surfaces of one day.
+std::int64_t order_of_day(std::string_view day) {
+    std::int64_t digits = 0;
+    for (const char c : day) {
+        if (c != '-') digits = digits * 10 + (c - '0');
+    }
+    return digits * 10;
+}
+
+} // namespace
+
+bool is_day(std::string_view text) noexcept {
+    if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
+    for (const std::size_t at : {0U, 1U, 2U, 3U, 5U, 6U, 8U, 9U}) {
+        if (text[at] < '0' || text[at] > '9') return false;
+    }
+    const auto number = [&](std::size_t at, std::size_t count) {
+        int value = 0;
+        for (std::size_t i = at; i < at + count; ++i) value = value * 10 + (text[i] - '0');
+        return value;
+    };
+    return std::chrono::year_month_day(std::chrono::year(number(0, 4)),
+                                       std::chrono::month(static_cast<unsigned>(number(5, 2))),
+                                       std::chrono::day(static_cast<unsigned>(number(8, 2))))
+        .ok();
+}
+
+std::string surface_name(const model::Record& record, const model::Surface& surface) {
+    if (!surface.name.empty()) return surface.name;
+    std::size_t place = 0;
+    for (const model::Surface* other : in_order(record.surfaces, surface.area)) {
+        if (other->name.empty() && other->first_day == surface.first_day) ++place;
+        if (other->id == surface.id) break;
+    }
+    return place > 1 ? fmt::format("{}.{}", surface.first_day, place) : surface.first_day;
+}
+
+const model::Surface* surface_named(const model::Record& record, std::string_view name, model::AreaId area) {
+    const model::Surface* found = nullptr;
+    for (const model::Surface& surface : record.surfaces) {
+        if (!area.is_nil() && surface.area != area) continue;
+        if (surface_name(record, surface) != name) continue;
+        if (found != nullptr) {
+            throw Error(ErrorCode::Usage, fmt::format("surface {} exists in several areas; say which area", name));
+        }
+        found = &surface;
+    }
+    return found;
+}
+
+model::SurfaceId surface_of_day(Project& project, std::vector<model::Surface>& surfaces, model::AreaId area,
+                                std::string_view day) {
+    const std::vector<const model::Surface*> there = in_order(surfaces, area);
+    const auto holds = [&](const model::Surface* s) {
+        const std::string& last = s->last_day.empty() ? s->first_day : s->last_day;
+        return s->first_day <= day && day <= last;
+    };
+    const auto found = std::find_if(there.rbegin(), there.rend(), holds);
+    if (found != there.rend()) return (*found)->id;
+
+    model::Surface surface;
+    surface.area = area;
+    surface.first_day = day;
+    surface.last_day = day;
+    surface.order = order_of_day(day);
+    surface.method = project.record().settings.method;
+    for (const model::Area& a : project.record().areas) {
+        if (a.id == area) surface.method = a.method;
+    }
+    surface.id = project.file().insert(surface);
+    surfaces.push_back(surface);
+    return surface.id;
+}
+
+} // namespace planum::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/project/project.hpp"
+#include "core/model/place.hpp"
+
+namespace planum::app {
+
+/// Whether the text is a day of the calendar as `2025-06-01`.
+[[nodiscard]] bool is_day(std::string_view text) noexcept;
+
+/// What a surface is called in lists and region names: its name, else its first day, and `DAY.2` for the
+/// second surface of a day without a name of its own.
+[[nodiscard]] std::string surface_name(const model::Record& record, const model::Surface& surface);
+
+/// The surface that a person means by its name, `DAY` or `DAY.2`; nullptr when there is none. A nil area
+/// means any. Throws Usage when several areas have one of that name.
+[[nodiscard]] const model::Surface* surface_named(const model::Record& record, std::string_view name,
+                                                  model::AreaId area);
+
+/// The surface of that day and area: the last one that the day falls into, else a new one with the area's
+/// (or project's) method. Call inside Project::change(); `surfaces` begins as those of the record, and a new
+/// one is added to it so that the next call finds it.
+model::SurfaceId surface_of_day(Project& project, std::vector<model::Surface>& surfaces, model::AreaId area,
+                                std::string_view day);
+
+} // namespace planum::app

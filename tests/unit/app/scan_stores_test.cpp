@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "app/scans/scan_stores.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "app/scans/add_scans.hpp"
+#include "app/scans/list_scans.hpp"
+#include "core/base/error.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/temporary.hpp"
+
+namespace planum::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+}
+
+ErrorCode code_of(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Error& e) {
+        return e.code();
+    }
+    return ErrorCode::Internal;
+}
+
+} // namespace
+
+TEST_CASE("a point store that is gone or damaged is made again from the original, and only from it") {
+    const test::TemporaryFolder folder;
+    const fs::path site = folder.path() / "site.gpkg";
+    const fs::path original = folder.path() / "2025-06-01" / "station1.xyz";
+    write(original, "1 2 3\n4 5 6\n7 8 10\n");
+    Project project = Project::create(site, {}, {});
+    add_scans(project, {original}, {}, Progress::none());
+    const model::Scan scan = scan_named(project, "2025-06-01/station1");
+    const fs::path store = store_path(site, scan);
+    REQUIRE(fs::exists(store));
+
+    SECTION("gone") { fs::remove_all(scans_folder(site)); }
+    SECTION("no store") { write(store, "something else"); }
+    const auto opened = open_store(site, scan, Progress::none());
+    CHECK(opened->points() == 3);
+    CHECK(opened->info().source_sha256 == scan.sha256);
+}
+
+TEST_CASE("another file in the place of the original is not taken for it") {
+    const test::TemporaryFolder folder;
+    const fs::path site = folder.path() / "site.gpkg";
+    const fs::path original = folder.path() / "2025-06-01" / "station1.xyz";
+    write(original, "1 2 3\n4 5 6\n");
+    Project project = Project::create(site, {}, {});
+    add_scans(project, {original}, {}, Progress::none());
+    const model::Scan scan = scan_named(project, "2025-06-01/station1");
+    fs::remove_all(scans_folder(site));
+
+    write(original, "1 2 3\n4 5 7\n");
+    CHECK(code_of([&] { (void)open_store(site, scan, Progress::none()); }) == ErrorCode::BadInput);
+    fs::remove(original);
+    CHECK(code_of([&] { (void)open_store(site, scan, Progress::none()); }) == ErrorCode::NotFound);
+    CHECK_FALSE(fs::exists(store_path(site, scan)));
+}
+
+TEST_CASE("one bad file among good ones adds nothing and leaves nothing behind") {
+    const test::TemporaryFolder folder;
+    const fs::path site = folder.path() / "site.gpkg";
+    write(folder.path() / "2025-06-01" / "a.xyz", "1 2 3\n4 5 6\n");
+    write(folder.path() / "2025-06-01" / "b.xyz", "1 2 3\n4 5\n");
+    Project project = Project::create(site, {}, {});
+    CHECK(code_of([&] { add_scans(project, {folder.path()}, {}, Progress::none()); }) == ErrorCode::BadInput);
+    CHECK(project.record().scans.empty());
+    CHECK(project.record().surfaces.empty());
+    CHECK_FALSE(fs::exists(scans_folder(site)));
+}
+
+TEST_CASE("scans have a pose only from an accepted run, the last one") {
+    model::Record record;
+    const model::ScanId scan{Uuid{1, 1}};
+    const auto add = [&](std::uint64_t id, const char* made_at, const char* state, double x) {
+        model::RegistrationRun run;
+        run.id = model::RegistrationRunId{Uuid{2, id}};
+        run.made_at = made_at;
+        run.state = state;
+        record.runs.push_back(run);
+        model::ScanPose pose;
+        pose.scan = scan;
+        pose.run = run.id;
+        pose.site_from_scan[3] = x;
+        record.poses.push_back(pose);
+    };
+    add(1, "2025-06-03T10:00:00Z", "proposed", 1.0);
+    CHECK(accepted_pose(record, scan) == nullptr);
+    add(2, "2025-06-02T10:00:00Z", "accepted", 2.0);
+    add(3, "2025-06-01T10:00:00Z", "accepted", 3.0);
+    REQUIRE(accepted_pose(record, scan) != nullptr);
+    CHECK(accepted_pose(record, scan)->site_from_scan[3] == 2.0);
+    CHECK(accepted_pose(record, model::ScanId{Uuid{1, 2}}) == nullptr);
+}
+
+} // namespace planum::app
