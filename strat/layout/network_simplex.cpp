@@ -16,9 +16,10 @@ namespace {
 
 constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
 
-// Invariant between pivots: `in_tree` is a spanning forest of tight arcs, one tree a component, rooted;
-// post/low number each tree in postorder, so that "x is below y" is two comparisons; cut values are those
-// of the forest.
+// Invariant between pivots: `in_tree` is a spanning forest of tight arcs, one tree a component, rooted; `size`
+// counts the nodes of each subtree; cut values are those of the forest. A pivot walks only over the smaller of
+// the two parts that the leaving arc separates, and along the ring that the entering arc closes: numbering the
+// nodes in postorder, as the original does, would touch nearly all of them each time.
 class Simplex {
   public:
     Simplex(std::uint32_t nodes, const std::vector<RankArc>& arcs) : n_(nodes), arcs_(arcs) {
@@ -36,12 +37,12 @@ class Simplex {
             rank_ = start;
         }
         tight_forest();
-        number_forest();
+        root_forest();
         cut_values();
-        for (std::int64_t pivot = 0; pivot < max_pivots; ++pivot) {
+        for (std::int64_t pivots = 0; pivots < max_pivots; ++pivots) {
             const std::uint32_t leaving = leaving_arc();
             if (leaving == kNone) break;
-            exchange(leaving, entering_arc(leaving));
+            pivot(leaving);
         }
         normalise();
         return std::move(rank_);
@@ -125,47 +126,45 @@ class Simplex {
         for (const std::uint32_t v : tree) rank_[v] += moved;
     }
 
-    void number_forest() {
+    void root_forest() {
         tree_arcs_.assign(n_, {});
         for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
             if (!in_tree_[a]) continue;
             tree_arcs_[arcs_[a].from].push_back(a);
             tree_arcs_[arcs_[a].to].push_back(a);
         }
-        post_.assign(n_, 0);
-        low_.assign(n_, 0);
         parent_.assign(n_, kNone);
         root_.assign(n_, kNone);
-        std::uint32_t next = 1;
+        size_.assign(n_, 1);
+        seen_.assign(n_, 0);
+        parents_first_.clear();
         for (std::uint32_t v = 0; v < n_; ++v) {
-            if (post_[v] != 0) continue;
-            root_[v] = v;
-            next = number_tree(v, kNone, next);
+            if (root_[v] == kNone) root_tree(v);
+        }
+        for (std::size_t i = n_; i-- > 0;) {
+            const std::uint32_t v = parents_first_[i];
+            if (parent_[v] != kNone) size_[other_end(parent_[v], v)] += size_[v];
         }
     }
 
-    // Postorder without recursion: chains of thousands of units are real.
-    std::uint32_t number_tree(std::uint32_t start, std::uint32_t via, std::uint32_t next) {
-        stack_.clear();
-        stack_.push_back({start, 0});
-        parent_[start] = via;
-        low_[start] = next;
-        while (!stack_.empty()) {
-            auto& [v, at] = stack_.back();
-            if (at < tree_arcs_[v].size()) {
-                const std::uint32_t a = tree_arcs_[v][at++];
+    void root_tree(std::uint32_t root) {
+        std::size_t at = parents_first_.size();
+        root_[root] = root;
+        parents_first_.push_back(root);
+        for (; at < parents_first_.size(); ++at) {
+            const std::uint32_t v = parents_first_[at];
+            for (const std::uint32_t a : tree_arcs_[v]) {
                 if (a == parent_[v]) continue;
-                const std::uint32_t child = arcs_[a].from == v ? arcs_[a].to : arcs_[a].from;
+                const std::uint32_t child = other_end(a, v);
                 parent_[child] = a;
-                root_[child] = root_[v];
-                low_[child] = next;
-                stack_.push_back({child, 0});
-                continue;
+                root_[child] = root;
+                parents_first_.push_back(child);
             }
-            post_[v] = next++;
-            stack_.pop_back();
         }
-        return next;
+    }
+
+    [[nodiscard]] std::uint32_t other_end(std::uint32_t a, std::uint32_t v) const {
+        return arcs_[a].from == v ? arcs_[a].to : arcs_[a].from;
     }
 
     // Of a tree arc's two ends, the one further from the root.
@@ -173,16 +172,11 @@ class Simplex {
         return parent_[arcs_[a].from] == a ? arcs_[a].from : arcs_[a].to;
     }
 
-    [[nodiscard]] bool below(std::uint32_t v, std::uint32_t top) const {
-        return low_[top] <= post_[v] && post_[v] <= post_[top];
-    }
-
     // From the leaves upwards: the cut value of a node's parent arc follows from its other arcs.
     void cut_values() {
         cut_.assign(arcs_.size(), 0);
-        std::vector<std::uint32_t> order(n_);
-        for (std::uint32_t v = 0; v < n_; ++v) order[post_[v] - 1] = v;
-        for (const std::uint32_t v : order) {
+        for (std::size_t i = n_; i-- > 0;) {
+            const std::uint32_t v = parents_first_[i];
             if (parent_[v] != kNone) cut_[parent_[v]] = cut_of(parent_[v], v);
         }
     }
@@ -222,35 +216,46 @@ class Simplex {
         return best;
     }
 
-    // The arc of least slack that joins the two halves in the opposite direction.
-    [[nodiscard]] std::uint32_t entering_arc(std::uint32_t leaving) {
+    // The smaller of the two parts of the tree without the leaving arc, marked as seen. Returns the leaving arc's
+    // end in it.
+    std::uint32_t collect_part(std::uint32_t leaving) {
         const std::uint32_t top = lower_end(leaving);
-        const bool enters_below = arcs_[leaving].from == top; // wanted: arcs into the lower half
-        const Adjacency& side = enters_below ? in_ : out_;
-        std::uint32_t best = kNone;
-        stack_.clear();
-        stack_.push_back({top, 0});
-        while (!stack_.empty()) {
-            const std::uint32_t v = stack_.back().first;
-            stack_.pop_back();
-            for (const std::uint32_t a : side.row(v)) {
-                const std::uint32_t other = enters_below ? arcs_[a].from : arcs_[a].to;
-                if (in_tree_[a] || below(other, top)) continue;
-                if (best == kNone || slack(a) < slack(best)) best = a;
-            }
+        const bool lower = 2 * size_[top] <= size_[root_[top]];
+        const std::uint32_t start = lower ? top : other_end(leaving, top);
+        ++mark_;
+        part_.assign(1, start);
+        seen_[start] = mark_;
+        for (std::size_t at = 0; at < part_.size(); ++at) {
+            const std::uint32_t v = part_[at];
             for (const std::uint32_t a : tree_arcs_[v]) {
-                if (a == parent_[v]) continue;
-                stack_.push_back({arcs_[a].from == v ? arcs_[a].to : arcs_[a].from, 0});
+                const std::uint32_t w = other_end(a, v);
+                if (a == leaving || seen_[w] == mark_) continue;
+                seen_[w] = mark_;
+                part_.push_back(w);
+            }
+        }
+        return start;
+    }
+
+    // The arc of least slack that joins the two parts in the opposite direction.
+    [[nodiscard]] std::uint32_t entering_arc(bool leaves_part) const {
+        const Adjacency& side = leaves_part ? in_ : out_;
+        std::uint32_t best = kNone;
+        for (const std::uint32_t v : part_) {
+            for (const std::uint32_t a : side.row(v)) {
+                if (seen_[leaves_part ? arcs_[a].from : arcs_[a].to] == mark_) continue;
+                if (best == kNone || slack(a) < slack(best)) best = a;
             }
         }
         if (best == kNone) throw Error(ErrorCode::Internal, "the levels of the drawing do not converge");
         return best;
     }
 
-    void exchange(std::uint32_t leaving, std::uint32_t entering) {
-        const std::uint32_t top = lower_end(leaving);
+    void pivot(std::uint32_t leaving) {
+        const bool leaves_part = arcs_[leaving].from == collect_part(leaving);
+        const std::uint32_t entering = entering_arc(leaves_part);
         const std::int32_t gap = slack(entering);
-        if (gap > 0) shift_below(top, arcs_[leaving].from == top ? -gap : gap);
+        for (const std::uint32_t v : part_) rank_[v] += leaves_part ? -gap : gap;
         const std::uint32_t common = update_cuts(leaving, entering);
         in_tree_[leaving] = false;
         in_tree_[entering] = true;
@@ -259,20 +264,17 @@ class Simplex {
         tree_arcs_[arcs_[entering].from].push_back(entering);
         tree_arcs_[arcs_[entering].to].push_back(entering);
         cut_[leaving] = 0;
-        number_tree(common, parent_[common], low_[common]);
+        hang_over(leaving, entering, common);
     }
 
-    // The lower half moves so that the entering arc becomes tight.
-    void shift_below(std::uint32_t top, std::int32_t by) {
-        stack_.clear();
-        stack_.push_back({top, 0});
-        while (!stack_.empty()) {
-            const std::uint32_t v = stack_.back().first;
-            stack_.pop_back();
-            rank_[v] += by;
-            for (const std::uint32_t a : tree_arcs_[v]) {
-                if (a == parent_[v]) continue;
-                stack_.push_back({arcs_[a].from == v ? arcs_[a].to : arcs_[a].from, 0});
+    [[nodiscard]] std::uint32_t common_ancestor(std::uint32_t a, std::uint32_t b) {
+        ++mark_;
+        while (true) {
+            for (std::uint32_t* v : {&a, &b}) {
+                if (*v == kNone) continue;
+                if (seen_[*v] == mark_) return *v;
+                seen_[*v] = mark_;
+                *v = parent_[*v] == kNone ? kNone : other_end(parent_[*v], *v);
             }
         }
     }
@@ -281,23 +283,48 @@ class Simplex {
     // highest node.
     std::uint32_t update_cuts(std::uint32_t leaving, std::uint32_t entering) {
         const std::int64_t delta = cut_[leaving];
-        const std::uint32_t from = arcs_[entering].from;
-        const std::uint32_t to = arcs_[entering].to;
-        std::uint32_t v = from;
-        while (!below(to, v)) {
-            const std::uint32_t a = parent_[v];
-            cut_[a] += arcs_[a].from == v ? delta : -delta;
-            v = arcs_[a].from == v ? arcs_[a].to : arcs_[a].from;
-        }
-        const std::uint32_t common = v;
-        v = to;
-        while (v != common) {
-            const std::uint32_t a = parent_[v];
-            cut_[a] += arcs_[a].from == v ? -delta : delta;
-            v = arcs_[a].from == v ? arcs_[a].to : arcs_[a].from;
+        const std::uint32_t common = common_ancestor(arcs_[entering].from, arcs_[entering].to);
+        for (const bool from : {true, false}) {
+            for (std::uint32_t v = from ? arcs_[entering].from : arcs_[entering].to; v != common;) {
+                const std::uint32_t a = parent_[v];
+                cut_[a] += (arcs_[a].from == v) == from ? delta : -delta;
+                v = other_end(a, v);
+            }
         }
         cut_[entering] = -delta;
         return common;
+    }
+
+    // The part below the leaving arc hangs from the entering one now: parents turn round on the way from there to
+    // its old top, and only subtrees on the ring change their size.
+    void hang_over(std::uint32_t leaving, std::uint32_t entering, std::uint32_t common) {
+        const std::uint32_t top = lower_end(leaving);
+        const std::uint32_t moved = size_[top];
+        const std::uint32_t inside =
+            below(arcs_[entering].from, top, common) ? arcs_[entering].from : arcs_[entering].to;
+        for (std::uint32_t v = other_end(leaving, top); v != common; v = other_end(parent_[v], v)) size_[v] -= moved;
+        for (std::uint32_t v = other_end(entering, inside); v != common; v = other_end(parent_[v], v))
+            size_[v] += moved;
+        std::uint32_t via = entering;
+        std::uint32_t passed = 0; // old size of the subtree that now hangs from above
+        for (std::uint32_t v = inside;;) {
+            const std::uint32_t old = size_[v];
+            size_[v] = moved - passed;
+            passed = old;
+            const std::uint32_t up = parent_[v];
+            parent_[v] = via;
+            if (v == top) break;
+            via = up;
+            v = other_end(up, v);
+        }
+    }
+
+    // Whether the way up from v to the common ancestor passes `top`.
+    [[nodiscard]] bool below(std::uint32_t v, std::uint32_t top, std::uint32_t common) const {
+        for (; v != common; v = other_end(parent_[v], v)) {
+            if (v == top) return true;
+        }
+        return false;
     }
 
     void normalise() {
@@ -314,12 +341,14 @@ class Simplex {
     std::vector<bool> in_tree_;
     std::vector<bool> joined_;
     std::vector<std::vector<std::uint32_t>> tree_arcs_; // by node
-    std::vector<std::uint32_t> post_;
-    std::vector<std::uint32_t> low_;
+    std::vector<std::uint32_t> parents_first_;
     std::vector<std::uint32_t> parent_; // arc to the parent
+    std::vector<std::uint32_t> size_;
     std::vector<std::uint32_t> root_;
     std::vector<std::int64_t> cut_;
-    std::vector<std::pair<std::uint32_t, std::size_t>> stack_;
+    std::vector<std::uint64_t> seen_; // by node: the last mark it got
+    std::uint64_t mark_ = 0;
+    std::vector<std::uint32_t> part_;
     std::size_t search_ = 0;
 };
 

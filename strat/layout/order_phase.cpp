@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "strat/layout/path_mover.hpp"
 #include "strat/matrix/adjacency.hpp"
 
 namespace planum::strat {
@@ -42,19 +43,15 @@ class Orderer {
     }
 
     void order() {
+        given_ = g_.layers;
         best_ = g_.layers;
         best_crossings_ = crossings();
         if (best_crossings_ == 0 && options_.keep_given) return;
         if (options_.keep_given) {
             switch_until_stuck(4);
-            remember();
+            remember(crossings());
         } else {
-            try_start(Start::DepthFirst);
-            if (best_crossings_ > 0) try_start(Start::BreadthFirst);
-            constexpr int kMostStarts = 24;
-            for (int start = 0; start < kMostStarts && best_crossings_ > 0 && spend(0); ++start)
-                try_start(Start::Shaken);
-            if (best_crossings_ > 0) try_start(Start::Given);
+            try_many();
         }
         g_.layers = best_;
     }
@@ -66,7 +63,7 @@ class Orderer {
     }
 
   private:
-    enum class Start { Given, DepthFirst, BreadthFirst, Shaken };
+    enum class Start { DepthFirst, BreadthFirst };
     enum class Centre { Barycentre, Median };
 
     void number(std::size_t l) {
@@ -101,43 +98,87 @@ class Orderer {
         return count;
     }
 
-    void remember() {
-        const std::int64_t now = crossings();
+    void remember(std::int64_t now) {
         if (now >= best_crossings_) return;
         best_crossings_ = now;
         best_ = g_.layers;
     }
 
-    void try_start(Start start) {
-        if (start != Start::Given && !spend(0)) return;
-        if (start == Start::Given || start == Start::Shaken) {
-            g_.layers = best_;
-            if (start == Start::Shaken) shake();
-            number_all();
-        } else {
-            walk(start);
+    // Sweeps end in the valley nearest to where they began, and on sparse graphs valleys differ by factors. So
+    // many beginnings get a few sweeps each, and the best of them are worked out.
+    void try_many() {
+        struct Beginning {
+            std::int64_t crossings = 0;
+            Layers layers;
+        };
+
+        std::vector<Beginning> beginnings;
+        const auto edges = static_cast<std::int64_t>(g_.edges.size());
+        const auto starts = std::clamp<std::int64_t>(24'000 / std::max<std::int64_t>(1, edges), 24, 160);
+        constexpr std::int64_t kEnoughForDense = 8; // where edges cross everywhere, valleys are alike
+        std::int64_t best_of_beginnings = best_crossings_;
+        for (std::int64_t start = 0; start < starts; ++start) {
+            if (start > 1 && !spend(0)) break;
+            if (start == kEnoughForDense && best_of_beginnings > edges) break;
+            progress_.check();
+            walk(start % 2 == 0 ? Start::DepthFirst : Start::BreadthFirst, start > 1);
+            for (int sweep = 0; sweep < 8; ++sweep) sweep_once(sweep % 2 == 0, Centre::Barycentre);
+            switch_until_stuck(3);
+            beginnings.push_back({crossings(), g_.layers});
+            spend(edges * 80);
+            best_of_beginnings = std::min(best_of_beginnings, beginnings.back().crossings);
+            if (best_of_beginnings == 0) break;
         }
-        std::int64_t before = std::numeric_limits<std::int64_t>::max();
+        std::stable_sort(beginnings.begin(), beginnings.end(),
+                         [](const Beginning& a, const Beginning& b) { return a.crossings < b.crossings; });
+        const std::size_t worked_out = std::min<std::size_t>(best_of_beginnings > edges ? 2 : 3, beginnings.size());
+        for (std::size_t i = 0; i < worked_out && best_crossings_ > 0; ++i) {
+            g_.layers = beginnings[i].layers;
+            number_all();
+            work_out();
+            polish();
+        }
+    }
+
+    void work_out() {
+        round_best_ = g_.layers;
+        round_crossings_ = crossings();
         int stuck = 0;
-        const bool shaken = start == Start::Shaken; // a few sweeps tell whether it leads anywhere
-        const int most_sweeps = shaken ? 6 : 32;
-        const int patience = shaken ? 2 : 5;
-        for (int sweep = 0; sweep < most_sweeps && stuck < patience && best_crossings_ > 0; ++sweep) {
+        constexpr int kMostSweeps = 24;
+        constexpr int kPatience = 4;
+        for (int sweep = 0; sweep < kMostSweeps && stuck < kPatience && round_crossings_ > 0; ++sweep) {
             progress_.check();
             sweep_once(sweep % 2 == 0, sweep % 4 < 2 ? Centre::Barycentre : Centre::Median);
             switch_until_stuck(3, sweep % 4 >= 2);
             const std::int64_t now = crossings();
-            remember();
-            stuck = now < before ? 0 : stuck + 1;
-            before = std::min(before, now);
+            ++stuck;
+            if (now < round_crossings_) {
+                stuck = 0;
+                round_crossings_ = now;
+                round_best_ = g_.layers;
+            }
             if (!spend(static_cast<std::int64_t>(g_.edges.size()) * 30)) break;
         }
-        g_.layers = best_;
+        g_.layers = round_best_;
         number_all();
-        if (shaken) return;
-        sift_until_stuck();
-        switch_until_stuck(10);
-        remember();
+    }
+
+    // What sweeps cannot do: whole paths to where they cross least, single nodes along their levels.
+    void polish() {
+        PathMover paths(g_, up_, down_, position_, layer_);
+        constexpr int kRounds = 8;
+        std::int64_t before = round_crossings_;
+        for (int round = 0; round < kRounds && before > 0; ++round) {
+            progress_.check();
+            std::int64_t work = 0;
+            paths.improve(work, 20'000'000 + 2'000 * static_cast<std::int64_t>(g_.edges.size()));
+            sift_until_stuck();
+            switch_until_stuck(10);
+            const std::int64_t now = crossings();
+            if (now >= before) break;
+            before = now;
+        }
+        remember(crossings());
     }
 
     // False when no work is left.
@@ -147,48 +188,43 @@ class Orderer {
         return spent_ < (options_.work > 0 ? options_.work : by_size);
     }
 
-    // From the best order so far, a stretch of each third level is turned round: another valley to descend into.
-    // The numbers are made, not drawn by chance: same input, same drawing.
-    void shake() {
-        for (std::vector<std::uint32_t>& layer : g_.layers) {
-            seed_ = seed_ * 6364136223846793005ULL + 1442695040888963407ULL;
-            if (layer.size() < 3 || (seed_ >> 33U) % 3 != 0) continue;
-            const std::size_t from = static_cast<std::size_t>(seed_ >> 40U) % (layer.size() - 1);
-            const std::size_t length =
-                2 + static_cast<std::size_t>(seed_ >> 50U) % std::min<std::size_t>(12, layer.size() - 1);
-            const std::size_t to = std::min(layer.size(), from + length);
-            std::reverse(layer.begin() + static_cast<std::ptrdiff_t>(from),
-                         layer.begin() + static_cast<std::ptrdiff_t>(to));
-        }
+    // Made, not drawn by chance: same input, same drawing.
+    std::size_t draw(std::size_t below) {
+        seed_ = seed_ * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<std::size_t>(seed_ >> 33U) % below;
     }
 
     // Neighbours found one after another stand side by side.
-    void walk(Start start) {
+    void walk(Start start, bool shuffled) {
         std::vector<bool> seen(g_.nodes, false);
         Layers fresh(g_.layers.size());
         std::vector<std::uint32_t> open;
-        for (const std::vector<std::uint32_t>& layer : g_.layers) {
-            for (const std::uint32_t root : layer) {
-                if (seen[root]) continue;
-                open.assign(1, root);
-                for (std::size_t at = 0; at < open.size();) {
-                    std::uint32_t v = 0;
-                    if (start == Start::DepthFirst) {
-                        v = open.back();
-                        open.pop_back();
-                    } else {
-                        v = open[at++];
-                    }
-                    if (seen[v]) continue;
-                    seen[v] = true;
-                    fresh[layer_[v]].push_back(v);
-                    for (const Adjacency* side : {&up_, &down_}) {
-                        const auto row = side->row(v);
-                        for (std::size_t i = row.size(); i-- > 0;) {
-                            if (!seen[row[i]]) open.push_back(row[i]);
-                        }
+        std::vector<std::uint32_t> roots;
+        for (const std::vector<std::uint32_t>& layer : given_) roots.insert(roots.end(), layer.begin(), layer.end());
+        if (shuffled) std::swap(roots.front(), roots[draw(roots.size())]);
+        for (const std::uint32_t root : roots) {
+            if (seen[root]) continue;
+            open.assign(1, root);
+            for (std::size_t at = 0; at < open.size();) {
+                std::uint32_t v = 0;
+                if (start == Start::DepthFirst) {
+                    v = open.back();
+                    open.pop_back();
+                } else {
+                    v = open[at++];
+                }
+                if (seen[v]) continue;
+                seen[v] = true;
+                fresh[layer_[v]].push_back(v);
+                const std::size_t first = open.size();
+                for (const Adjacency* side : {&up_, &down_}) {
+                    const auto row = side->row(v);
+                    for (std::size_t i = row.size(); i-- > 0;) {
+                        if (!seen[row[i]]) open.push_back(row[i]);
                     }
                 }
+                for (std::size_t i = open.size(); shuffled && i > first + 1; --i)
+                    std::swap(open[i - 1], open[first + draw(i - first)]);
             }
         }
         g_.layers = std::move(fresh);
@@ -363,7 +399,10 @@ class Orderer {
     Adjacency down_;
     std::vector<std::uint32_t> position_; // by node, within its level
     std::vector<std::uint32_t> layer_;
+    Layers given_;
     Layers best_;
+    Layers round_best_;
+    std::int64_t round_crossings_ = 0;
     std::int64_t best_crossings_ = 0;
     std::int64_t spent_ = 0;
     std::uint64_t seed_ = 1;
