@@ -33,7 +33,8 @@ struct FileHeader {
 };
 
 /// Reads the header with plain file reads. Throws NotFound, Io, or BadInput when the file is no SQLite
-/// database or is shorter than its header says.
+/// database or is shorter than its header says. With a journal beside it a short file is let through: a
+/// commit writes the header before the pages it counts, so SQLite has to roll it back, or wait, first.
 [[nodiscard]] FileHeader read_header(const std::filesystem::path& file);
 
 /// One connection to one SQLite file, opened the distrustful way: triggers and views may use harmless

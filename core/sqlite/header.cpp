@@ -35,6 +35,22 @@ HeaderBytes read_first_bytes(const std::filesystem::path& file, std::int64_t siz
     return bytes;
 }
 
+// Looks again at the size: the header may have been written after the first look, by a commit just then.
+bool is_short(const std::filesystem::path& file, FileHeader& header) {
+    const std::int64_t stated = header.pages * header.page_size;
+    if (header.file_size >= stated) return false;
+    std::error_code failure;
+    const auto size = std::filesystem::file_size(file, failure);
+    if (!failure) header.file_size = static_cast<std::int64_t>(size);
+    return header.file_size < stated;
+}
+
+bool has_journal(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto size = std::filesystem::file_size(file.string() + "-journal", failure);
+    return !failure && size > 0;
+}
+
 } // namespace
 
 FileHeader read_header(const std::filesystem::path& file) {
@@ -57,7 +73,7 @@ FileHeader read_header(const std::filesystem::path& file) {
     if (big_endian(bytes, 24, 4) == big_endian(bytes, 92, 4)) header.pages = big_endian(bytes, 28, 4);
     const bool power_of_two = header.page_size >= 512 && (header.page_size & (header.page_size - 1)) == 0;
     if (!power_of_two) throw Error(ErrorCode::BadInput, file.string() + ": the file is damaged: restore a backup");
-    if (!header.wal && header.file_size < header.pages * header.page_size) {
+    if (!header.wal && is_short(file, header) && !has_journal(file)) {
         throw Error(ErrorCode::BadInput, fmt::format("{}: the file is cut short ({} of {} bytes): restore a backup",
                                                      file.string(), header.file_size, header.pages * header.page_size));
     }

@@ -121,9 +121,10 @@ void prepare_for_writing(const sqlite::Database& database) { database.execute(kW
 std::unique_ptr<ProjectFile::State> open_project(const std::filesystem::path& file, OpenMode mode,
                                                  const Environment& environment) {
     require_gpkg_name(file);
-    const sqlite::FileHeader header = check_header(file);
+    (void)check_header(file); // a file that is none of ours is not even rolled back
     OpenReport report;
     roll_back_interrupted(file, report);
+    const sqlite::FileHeader header = check_header(file);
     const bool writes = mode == OpenMode::ReadWrite;
     auto state = std::make_unique<ProjectFile::State>(file, mode, environment,
                                                       writes ? sqlite::Database::open(file, sqlite::Access::ReadWrite)

@@ -121,6 +121,53 @@ TEST_CASE("A project cut short at any page is refused, and not a byte of it chan
     }
 }
 
+// A rollback journal as SQLite writes it (file format, section 3), holding the first page as it was before.
+std::string journal_of_first_page(const std::string& whole) {
+    constexpr std::size_t kPage = 4096;
+    constexpr std::uint32_t kNonce = 7;
+    const auto big_endian = [](std::uint32_t value) {
+        std::string bytes;
+        for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes.push_back(static_cast<char>(value >> shift & 0xffU));
+        return bytes;
+    };
+    const std::string page = whole.substr(0, kPage);
+    std::uint32_t sum = kNonce;
+    for (int at = static_cast<int>(kPage) - 200; at > 0; at -= 200) {
+        sum += static_cast<unsigned char>(page[static_cast<std::size_t>(at)]);
+    }
+    std::string journal = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
+    const auto pages = static_cast<std::uint32_t>(whole.size() / kPage);
+    for (const std::uint32_t value : {1U, kNonce, pages, 512U, static_cast<std::uint32_t>(kPage)}) {
+        journal += big_endian(value);
+    }
+    journal.resize(512);
+    return journal + big_endian(1) + page + big_endian(sum);
+}
+
+TEST_CASE("A change that was killed before its new pages were written is taken back") {
+    const test::TemporaryFolder folder;
+    const std::string whole = filled_bytes(folder);
+    // The first page says already how long the file is to be, the pages themselves have not come.
+    std::string cut = whole;
+    cut[30] = static_cast<char>(cut[30] + 1); // pages, big endian at 28
+    cut[24] = static_cast<char>(cut[24] + 1); // change counter, and the one that the page count is valid for
+    cut[92] = static_cast<char>(cut[92] + 1);
+    for (const OpenMode mode : {OpenMode::ReadWrite, OpenMode::ReadOnly}) {
+        const auto file = folder.write("killed.gpkg", cut);
+        folder.write("killed.gpkg-journal", journal_of_first_page(whole));
+        test::TestEnvironment environment(3);
+        {
+            const ProjectFile project = ProjectFile::open(file, mode, environment.get());
+            CHECK_FALSE(project.load().units.empty());
+            REQUIRE(project.open_report().notes.size() == 1);
+            CHECK(project.open_report().notes.front() == "a change that had been interrupted was taken back");
+        }
+        CHECK(read_file(file, kLimit) == whole);
+    }
+    const auto file = folder.write("killed.gpkg", cut);
+    CHECK_FALSE(open_and_use(file, OpenMode::ReadWrite)); // no journal, no way back
+}
+
 TEST_CASE("Flipped bytes give an error or a project, never a crash, and reading changes nothing") {
     const test::TemporaryFolder folder;
     const std::string whole = filled_bytes(folder);
