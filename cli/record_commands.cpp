@@ -120,7 +120,9 @@ void add_kind(CLI::App& root, Context& context, const RecordKind& kind) {
         app::Project project = context.open(OpenMode::ReadWrite);
         kind.set(project, changed->full_name(), changed->values(*set));
     });
-    add_command(*group, context, "list", "all of them")->callback([&context, &kind] { run_list(context, kind); });
+    if (word != "region") { // which lists areas and heights, see region_commands.cpp
+        add_command(*group, context, "list", "all of them")->callback([&context, &kind] { run_list(context, kind); });
+    }
     auto shown = std::make_shared<Given>();
     add_verb(*group, context, kind, *shown, "show", "all that is recorded of one", false)
         ->callback([&context, &kind, shown] { run_show(context, kind, shown->full_name()); });

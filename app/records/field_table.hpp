@@ -241,6 +241,7 @@ class NamedKind : public FieldTableKind<T> {
 /// The kinds of each file of this folder.
 [[nodiscard]] std::unique_ptr<RecordKind> make_unit_kind();
 [[nodiscard]] std::unique_ptr<RecordKind> make_relation_kind();
+[[nodiscard]] std::unique_ptr<RecordKind> make_region_kind();
 void add_chronology_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds);
 void add_measured_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds);
 void add_place_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds);

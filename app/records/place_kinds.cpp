@@ -49,6 +49,7 @@ void add_place_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds) {
     kinds.push_back(
         std::make_unique<NamedKind<model::Area>>("area", &Record::areas, &model::Area::name, area_fields()));
     kinds.push_back(std::make_unique<SurfaceKind>());
+    kinds.push_back(make_region_kind());
 }
 
 } // namespace planum::app

@@ -36,6 +36,23 @@ std::int64_t order_of_day(std::string_view day) {
     return digits * 10;
 }
 
+std::string plain_name(const model::Record& record, const model::Surface& surface) {
+    if (!surface.name.empty()) return surface.name;
+    std::size_t place = 0;
+    for (const model::Surface* other : in_order(record.surfaces, surface.area)) {
+        if (other->name.empty() && other->first_day == surface.first_day) ++place;
+        if (other->id == surface.id) break;
+    }
+    return place > 1 ? fmt::format("{}.{}", surface.first_day, place) : surface.first_day;
+}
+
+std::string with_area(const model::Record& record, const model::Surface& surface, const std::string& name) {
+    for (const model::Area& area : record.areas) {
+        if (area.id == surface.area) return area.name + "::" + name;
+    }
+    return name;
+}
+
 } // namespace
 
 bool is_day(std::string_view text) noexcept {
@@ -55,20 +72,19 @@ bool is_day(std::string_view text) noexcept {
 }
 
 std::string surface_name(const model::Record& record, const model::Surface& surface) {
-    if (!surface.name.empty()) return surface.name;
-    std::size_t place = 0;
-    for (const model::Surface* other : in_order(record.surfaces, surface.area)) {
-        if (other->name.empty() && other->first_day == surface.first_day) ++place;
-        if (other->id == surface.id) break;
-    }
-    return place > 1 ? fmt::format("{}.{}", surface.first_day, place) : surface.first_day;
+    const std::string name = plain_name(record, surface);
+    const bool shared = std::any_of(record.surfaces.begin(), record.surfaces.end(), [&](const model::Surface& other) {
+        return other.area != surface.area && plain_name(record, other) == name;
+    });
+    return shared ? with_area(record, surface, name) : name;
 }
 
 const model::Surface* surface_named(const model::Record& record, std::string_view name, model::AreaId area) {
     const model::Surface* found = nullptr;
     for (const model::Surface& surface : record.surfaces) {
         if (!area.is_nil() && surface.area != area) continue;
-        if (surface_name(record, surface) != name) continue;
+        const std::string plain = plain_name(record, surface);
+        if (plain != name && with_area(record, surface, plain) != name) continue;
         if (found != nullptr) {
             throw Error(ErrorCode::Usage, fmt::format("surface {} exists in several areas; say which area", name));
         }
@@ -77,25 +93,38 @@ const model::Surface* surface_named(const model::Record& record, std::string_vie
     return found;
 }
 
-model::SurfaceId surface_of_day(Project& project, std::vector<model::Surface>& surfaces, model::AreaId area,
-                                std::string_view day) {
+model::Surface surface_for_day(const model::Record& record, const std::vector<model::Surface>& surfaces,
+                               model::AreaId area, std::string_view day) {
+    model::Surface surface;
+    surface.area = area;
+    surface.first_day = day;
+    surface.last_day = day;
+    surface.order = order_of_day(day);
+    for (const model::Surface* other : in_order(surfaces, area)) {
+        if (other->first_day == day) surface.order = std::max(surface.order, other->order + 1);
+    }
+    surface.method = record.settings.method;
+    for (const model::Area& a : record.areas) {
+        if (a.id == area) surface.method = a.method;
+    }
+    return surface;
+}
+
+const model::Surface* surface_on_day(const std::vector<model::Surface>& surfaces, model::AreaId area,
+                                     std::string_view day) {
     const std::vector<const model::Surface*> there = in_order(surfaces, area);
     const auto holds = [&](const model::Surface* s) {
         const std::string& last = s->last_day.empty() ? s->first_day : s->last_day;
         return s->first_day <= day && day <= last;
     };
     const auto found = std::find_if(there.rbegin(), there.rend(), holds);
-    if (found != there.rend()) return (*found)->id;
+    return found == there.rend() ? nullptr : *found;
+}
 
-    model::Surface surface;
-    surface.area = area;
-    surface.first_day = day;
-    surface.last_day = day;
-    surface.order = order_of_day(day);
-    surface.method = project.record().settings.method;
-    for (const model::Area& a : project.record().areas) {
-        if (a.id == area) surface.method = a.method;
-    }
+model::SurfaceId surface_of_day(Project& project, std::vector<model::Surface>& surfaces, model::AreaId area,
+                                std::string_view day) {
+    if (const model::Surface* there = surface_on_day(surfaces, area, day)) return there->id;
+    model::Surface surface = surface_for_day(project.record(), surfaces, area, day);
     surface.id = project.file().insert(surface);
     surfaces.push_back(surface);
     return surface.id;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/project/project.hpp"
+#include "app/regions/outline.hpp"
+
+namespace planum::app {
+
+struct RegionImportOptions {
+    bool create_units = false; ///< make the units that outlines name and the record has not
+    bool update = false;       ///< redrawn outlines and differing fields replace those of the project
+    bool dry_run = false;
+    std::string area; ///< of outlines that name none
+    std::string day;  ///< of outlines that name neither day nor surface
+};
+
+/// A number that no unit has.
+struct UnknownNumber {
+    std::string where;
+    std::string region;
+    std::string drawn;
+    std::vector<std::string> near; ///< issued numbers it may stand for
+};
+
+/// Two regions of one surface on the same ground.
+struct OverlapReport {
+    std::string surface;
+    std::string first;
+    std::string second;
+    double area = 0.0; ///< [m²]
+};
+
+struct RegionImportReport {
+    std::vector<std::string> fresh;    ///< names of new regions
+    std::vector<std::string> redrawn;  ///< whose outline or fields were replaced
+    std::vector<std::string> named;    ///< that had no unit and now have
+    std::size_t same = 0;              ///< outlines that the project has already
+    std::vector<std::string> units;    ///< made because of create_units
+    std::vector<std::string> areas;    ///< made
+    std::vector<std::string> surfaces; ///< made
+    std::vector<std::string> sections; ///< made
+    std::vector<UnknownNumber> unknown;
+    std::vector<OutlineNote> refused;   ///< outlines that were not taken, and why
+    std::vector<OutlineNote> repaired;  ///< outlines that were mended, and how
+    std::vector<OutlineNote> conflicts; ///< kept as they were: what the file says differently
+    std::vector<OutlineNote> notes;     ///< of the reader
+    std::vector<OverlapReport> overlaps;
+    bool changed = false; ///< something is new or other, or would be
+};
+
+/// Takes outlines into the project as one undo step: numbers become units, days become surfaces. An outline that
+/// the project has already (same surface and label, points within 0.5 mm) is left alone; one that lies on another
+/// of the same surface and label by more than half is the same drawn anew: kept as it was unless `update`.
+/// Throws BadInput when not one of the outlines can be used.
+RegionImportReport import_outlines(Project& project, const OutlineFile& file, const RegionImportOptions& options);
+
+/// Reads a file of outlines, whatever its format, and takes it in.
+RegionImportReport import_outline_file(Project& project, const std::filesystem::path& file,
+                                       const RegionImportOptions& options);
+
+/// Issued numbers that an unknown one may stand for: one slip of the hand away, else the nearest in value.
+[[nodiscard]] std::vector<std::string> proposed_numbers(const model::Record& record, const std::string& drawn);
+
+} // namespace planum::app

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "app/records/field_table.hpp"
+#include "app/regions/outline.hpp"
+#include "app/regions/outline_text.hpp"
+#include "app/regions/region_layout.hpp"
+#include "app/regions/region_names.hpp"
+#include "app/scans/days_surface.hpp"
+#include "core/geometry/polygon_overlay.hpp"
+
+namespace planum::app {
+
+namespace {
+
+using model::Region;
+
+constexpr const char* kShowsWords = "top, level, cut, overdug, machine, face, nothing";
+constexpr const char* kCategoryWords = "unit, spoil, slump, backfill, water, equipment, baulk, unexcavated";
+
+void set_outline(Region& region, const std::string& text, Project& project) {
+    geometry::MultiPolygon shape = parse_outline(text);
+    if (region.surface.is_nil()) {
+        for (const model::Section& section : project.record().sections) {
+            if (section.id != region.section) continue;
+            shape = from_plane(geometry::make_sound(onto_plane(shape, section)).shape, section);
+        }
+    } else {
+        shape = geometry::make_sound(shape).shape;
+    }
+    region.outline = outline_of(shape);
+    region.drawn_on = "typed";
+}
+
+std::vector<Field<Region>> region_fields() {
+    std::vector<Field<Region>> fields = {unit_field<Region>("unit", "unit it shows; empty: none", &Region::unit),
+                                         word_field<Region>("category", "what it encloses", &Region::category,
+                                                            model::region_category_from_word, kCategoryWords),
+                                         word_field<Region>("shows", "what of the unit it shows", &Region::shows,
+                                                            model::region_shows_from_word, kShowsWords)};
+    fields.push_back({{"outline", "corners in site coordinates: \"x y z, x y z, …\", or WKT"},
+                      [](const Region& region, Project&) { return outline_text(shape_of(region.outline)); },
+                      set_outline});
+    fields.push_back({{"sigma", "uncertainty of the outline [m]"},
+                      [](const Region& region, Project&) { return fmt::format("{}", region.sigma); },
+                      [](Region& region, const std::string& text, Project&) {
+                          const auto sigma = number_from("sigma", text);
+                          if (!sigma || *sigma < 0.0) throw Error(ErrorCode::BadInput, "sigma: metres, not below 0");
+                          region.sigma = *sigma;
+                      }});
+    fields.push_back(unit_field<Region>("seen-in", "cut whose side shows it", &Region::seen_in));
+    fields.push_back(text_field<Region>("notes", "notes", &Region::notes));
+    return fields;
+}
+
+// Regions are `SURFACE/UNIT#n`; to add one, name `SURFACE/UNIT` (or `SURFACE/CATEGORY`) and give its outline.
+class RegionKind final : public FieldTableKind<Region> {
+  public:
+    RegionKind()
+        : FieldTableKind("region", "SURFACE/UNIT (to add) or SURFACE/UNIT#n", &model::Record::regions,
+                         region_fields()) {}
+
+    [[nodiscard]] FieldValues show(Project& project, const std::string& name) const override {
+        FieldValues values = FieldTableKind::show(project, name);
+        const Region& region = find(project, name);
+        if (!region.unit_as_drawn.empty()) values.emplace_back("unit-as-drawn", region.unit_as_drawn);
+        values.emplace_back("drawn-on", region.drawn_on);
+        values.emplace_back("area-m2", fmt::format("{:.4f}", region_area(project.record(), region)));
+        return values;
+    }
+
+    std::string add(Project& project, const std::string& name, const FieldValues& values) const override {
+        const auto given = [&](const char* field) {
+            return std::any_of(values.begin(), values.end(), [&](const auto& v) { return v.first == field; });
+        };
+        if (!given("outline"))
+            throw Error(ErrorCode::Usage, "a region needs its outline: --outline \"x y z, x y z, …\"");
+        if (given("shows")) return FieldTableKind::add(project, name, values);
+        FieldValues with = values;
+        with.emplace_back("shows", std::string(to_word(shows_of(project, name, values))));
+        return FieldTableKind::add(project, name, with);
+    }
+
+    // What a region shows follows its unit, unless somebody said otherwise.
+    void set(Project& project, const std::string& name, const FieldValues& values) const override {
+        const auto given = [&](const char* field) {
+            return std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.first == field; });
+        };
+        const Region& old = find(project, name);
+        const auto unit = given("unit");
+        if (unit == values.end() || given("shows") != values.end() || old.shows != usual_shows(project, old)) {
+            return FieldTableKind::set(project, name, values);
+        }
+        Region named = old;
+        named.unit =
+            unit->second.empty() ? model::UnitId{} : project.record().units[project.unit_named(unit->second)].id;
+        FieldValues with = values;
+        with.emplace_back("shows", std::string(to_word(usual_shows(project, named))));
+        FieldTableKind::set(project, name, with);
+    }
+
+  protected:
+    [[nodiscard]] std::string name_of(const Region& region, Project& project) const override {
+        return region_name(project.record(), project.index(), region);
+    }
+
+    [[nodiscard]] const Region& find(Project& project, const std::string& name) const override {
+        return region_named(project, name);
+    }
+
+    [[nodiscard]] Region make(Project& project, const std::string& name) const override {
+        const std::size_t slash = name.find('/');
+        if (slash == std::string::npos) {
+            throw Error(ErrorCode::BadInput, fmt::format("{}: name a new region SURFACE/UNIT", name));
+        }
+        Region region;
+        const std::string place = name.substr(0, slash);
+        for (const model::Section& section : project.record().sections) {
+            if (section.name == place) region.section = section.id;
+        }
+        if (region.section.is_nil()) {
+            const model::Surface* surface = surface_named(project.record(), place, {});
+            if (surface == nullptr) {
+                throw Error(ErrorCode::NotFound, fmt::format("no surface {}; planum surface list names all", place));
+            }
+            region.surface = surface->id;
+        }
+        std::string label = name.substr(slash + 1);
+        label = label.substr(0, label.find('#'));
+        if (const auto category = model::region_category_from_word(label)) {
+            region.category = *category;
+        } else {
+            region.unit = project.record().units[project.unit_named(label)].id;
+        }
+        for (const Region& other : project.record().regions) {
+            const bool alike = other.surface == region.surface && other.section == region.section &&
+                               other.unit == region.unit && other.category == region.category;
+            if (alike) region.part = std::max(region.part, other.part + 1);
+        }
+        return region;
+    }
+
+    // A region that gets a unit loses the number that no unit had.
+    void write(Project& project, const Region& value) const override {
+        Region region = value;
+        if (!region.unit.is_nil()) region.unit_as_drawn.clear();
+        std::int64_t last = 0;
+        bool taken = false;
+        for (const Region& other : project.record().regions) {
+            const bool alike = other.id != region.id && other.surface == region.surface &&
+                               other.section == region.section && other.unit == region.unit &&
+                               other.category == region.category && other.unit_as_drawn == region.unit_as_drawn;
+            if (!alike) continue;
+            last = std::max(last, other.part);
+            taken = taken || other.part == region.part;
+        }
+        if (taken) region.part = last + 1;
+        project.file().update(region);
+    }
+
+  private:
+    [[nodiscard]] model::RegionShows shows_of(Project& project, const std::string& name,
+                                              const FieldValues& values) const {
+        Region region = make(project, name);
+        for (const auto& [field, text] : values) {
+            if (field == "category") region.category = model::region_category_from_word(text).value_or(region.category);
+        }
+        return usual_shows(project, region);
+    }
+
+    [[nodiscard]] static model::RegionShows usual_shows(Project& project, const Region& region) {
+        const model::UnitIndex unit = project.index().find(region.unit);
+        const auto kind = unit == model::kNoUnit ? model::UnitKind::Unknown : project.record().units[unit].kind;
+        model::DigMethod method = project.record().settings.method;
+        for (const model::Surface& surface : project.record().surfaces) {
+            if (surface.id == region.surface) method = surface.method;
+        }
+        return default_shows(region.category, kind, method, region.surface.is_nil());
+    }
+};
+
+} // namespace
+
+std::unique_ptr<RecordKind> make_region_kind() { return std::make_unique<RegionKind>(); }
+
+} // namespace planum::app

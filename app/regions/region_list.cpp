@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "app/regions/region_list.hpp"
+
+#include <algorithm>
+
+#include "app/regions/region_import.hpp"
+#include "app/regions/region_layout.hpp"
+#include "app/regions/region_names.hpp"
+#include "core/geometry/polygons.hpp"
+
+namespace planum::app {
+
+namespace {
+
+// Heights of the drawn points; a file without heights has zeros everywhere, which say nothing.
+std::vector<double> outline_heights(const model::Region& region) {
+    std::vector<double> z;
+    for (const model::Polygon& polygon : region.outline) {
+        for (const auto& point : polygon.outer) z.push_back(point[2]);
+    }
+    std::sort(z.begin(), z.end());
+    const bool none = std::all_of(z.begin(), z.end(), [](double value) { return value == 0.0; });
+    return none ? std::vector<double>{} : z;
+}
+
+// Of every region of the record, in its order [m²].
+std::vector<double> shown_areas(const model::Record& record) {
+    std::vector<double> areas(record.regions.size(), 0.0);
+    const auto take = [&](const RegionLayout& layout) {
+        for (const PlacedRegion& placed : layout.regions) {
+            areas[static_cast<std::size_t>(placed.region - record.regions.data())] = geometry::area(placed.shown);
+        }
+    };
+    for (const model::Surface& surface : record.surfaces) take(layout_regions(regions_on(record, surface.id)));
+    for (const model::Section& section : record.sections) {
+        take(layout_regions(regions_on(record, section.id), &section));
+    }
+    return areas;
+}
+
+} // namespace
+
+std::vector<RegionRow> list_regions(Project& project, const std::string& day) {
+    const model::Record& record = project.record();
+    const model::RecordIndex& index = project.index();
+    const std::vector<double> areas = shown_areas(record);
+    std::vector<RegionRow> rows;
+    for (const std::size_t i : regions_in_order(record, index)) {
+        const model::Region& region = record.regions[i];
+        RegionRow row;
+        row.day = region_day(record, region);
+        if (!day.empty() && row.day != day) continue;
+        row.region = region_name(record, index, region);
+        if (!region.unit.is_nil()) row.unit = index.name(region.unit);
+        row.shows = to_word(region.shows);
+        row.category = to_word(region.category);
+        row.drawn_area = region_area(record, region);
+        row.area = areas.at(i);
+        if (region.unit.is_nil() && !region.unit_as_drawn.empty()) {
+            row.drawn = region.unit_as_drawn;
+            row.near = proposed_numbers(record, region.unit_as_drawn);
+        }
+        if (const std::vector<double> z = outline_heights(region); !z.empty()) {
+            row.z_min = z.front();
+            row.z_median = z[z.size() / 2];
+            row.z_max = z.back();
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace planum::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/project/project.hpp"
+
+namespace planum::app {
+
+/// One line of `region list`.
+struct RegionRow {
+    std::string region;
+    std::string unit; ///< empty: none
+    std::string day;
+    std::string shows;
+    std::string category;
+    double area = 0.0;       ///< what it shows: less the regions inside it and what another claims too [m²]
+    double drawn_area = 0.0; ///< within its lines [m²]
+    std::int64_t points = 0;
+    std::optional<double> z_min; ///< of its points, else of its outline [m]; unset: neither has heights
+    std::optional<double> z_median;
+    std::optional<double> z_max;
+    std::string drawn;             ///< the number as drawn, where no unit has it
+    std::vector<std::string> near; ///< units that number may stand for
+};
+
+/// All regions: by day, surface, unit. `day` empty: all days.
+[[nodiscard]] std::vector<RegionRow> list_regions(Project& project, const std::string& day);
+
+} // namespace planum::app

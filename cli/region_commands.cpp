@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "cli/context.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/regions/region_import.hpp"
+#include "app/regions/region_list.hpp"
+#include "core/base/text.hpp"
+
+namespace planum::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct ImportArguments {
+    std::string file;
+    app::RegionImportOptions options;
+};
+
+ordered_json notes_json(const std::vector<app::OutlineNote>& notes) {
+    ordered_json json = ordered_json::array();
+    for (const auto& note : notes) json.push_back({{"where", note.where}, {"message", note.message}});
+    return json;
+}
+
+ordered_json to_json(const app::RegionImportReport& report) {
+    ordered_json json;
+    json["new"] = report.fresh;
+    json["redrawn"] = report.redrawn;
+    json["named"] = report.named;
+    json["same"] = report.same;
+    json["units"] = report.units;
+    json["areas"] = report.areas;
+    json["surfaces"] = report.surfaces;
+    json["sections"] = report.sections;
+    json["unknown"] = ordered_json::array();
+    for (const auto& unknown : report.unknown) {
+        json["unknown"].push_back(
+            {{"where", unknown.where}, {"region", unknown.region}, {"drawn", unknown.drawn}, {"near", unknown.near}});
+    }
+    json["overlaps"] = ordered_json::array();
+    for (const auto& overlap : report.overlaps) {
+        json["overlaps"].push_back(
+            {{"surface", overlap.surface}, {"regions", {overlap.first, overlap.second}}, {"area_m2", overlap.area}});
+    }
+    json["refused"] = notes_json(report.refused);
+    json["repaired"] = notes_json(report.repaired);
+    json["conflicts"] = notes_json(report.conflicts);
+    json["notes"] = notes_json(report.notes);
+    json["changed"] = report.changed;
+    return json;
+}
+
+void print_notes(const Context& context, const char* what, const std::vector<app::OutlineNote>& notes) {
+    for (const auto& note : notes) {
+        *context.out << fmt::format("{}{}{}: {}\n", what, note.where.empty() ? "" : ", ", note.where, note.message);
+    }
+}
+
+void print_names(const Context& context, const char* what, const std::vector<std::string>& names) {
+    if (!names.empty()) *context.out << fmt::format("{}: {}\n", what, text::join(names, ", "));
+}
+
+void print_text(const Context& context, const app::RegionImportReport& report, bool dry_run) {
+    *context.out << fmt::format("{}: {} regions; {} redrawn, {} named, {} as they were\n",
+                                dry_run ? "would be new" : "new", report.fresh.size(), report.redrawn.size(),
+                                report.named.size(), report.same);
+    print_names(context, "areas made", report.areas);
+    print_names(context, "surfaces made", report.surfaces);
+    print_names(context, "sections made", report.sections);
+    print_names(context, "units made", report.units);
+    for (const auto& unknown : report.unknown) {
+        const std::string near = unknown.near.empty() ? "" : "; near it: " + text::join(unknown.near, ", ");
+        *context.out << fmt::format("{}: no unit {}{}; kept as region {} without unit\n", unknown.where, unknown.drawn,
+                                    near, unknown.region);
+    }
+    for (const auto& overlap : report.overlaps) {
+        *context.out << fmt::format("overlap on {}: {} and {} both claim {:.2f} m²; neither gets it\n", overlap.surface,
+                                    overlap.first, overlap.second, overlap.area);
+    }
+    print_notes(context, "not taken", report.refused);
+    print_notes(context, "mended", report.repaired);
+    print_notes(context, "kept", report.conflicts);
+    print_notes(context, "note", report.notes);
+    if (!report.changed) *context.out << "nothing new: the project is as it was\n";
+}
+
+void run_import(const Context& context, const ImportArguments& arguments) {
+    const auto mode = arguments.options.dry_run ? store::OpenMode::ReadOnly : store::OpenMode::ReadWrite;
+    app::Project project = context.open(mode);
+    const app::RegionImportReport report = app::import_outline_file(project, arguments.file, arguments.options);
+    if (context.json) return context.print(to_json(report));
+    print_text(context, report, arguments.options.dry_run);
+}
+
+ordered_json height_json(const std::optional<double>& z) { return z ? ordered_json(*z) : ordered_json(nullptr); }
+
+void run_list(const Context& context, const std::string& day) {
+    app::Project project = context.open(store::OpenMode::ReadOnly);
+    const std::vector<app::RegionRow> rows = app::list_regions(project, day);
+    if (context.json) {
+        ordered_json list = ordered_json::array();
+        for (const app::RegionRow& row : rows) {
+            list.push_back({{"region", row.region},
+                            {"unit", row.unit.empty() ? ordered_json(nullptr) : ordered_json(row.unit)},
+                            {"day", row.day},
+                            {"shows", row.shows},
+                            {"category", row.category},
+                            {"area_m2", row.area},
+                            {"drawn_m2", row.drawn_area},
+                            {"points", row.points},
+                            {"z_min", height_json(row.z_min)},
+                            {"z_median", height_json(row.z_median)},
+                            {"z_max", height_json(row.z_max)}});
+            if (!row.drawn.empty()) {
+                list.back()["drawn"] = row.drawn;
+                list.back()["near"] = row.near;
+            }
+        }
+        return context.print({{"regions", list}});
+    }
+    for (const app::RegionRow& row : rows) {
+        std::string line = fmt::format("{:<24} {:<8} {:>8.2f} m²", row.region, row.shows, row.area);
+        if (row.z_min) line += fmt::format("  {:.2f} … {:.2f} m", *row.z_min, *row.z_max);
+        if (!row.drawn.empty()) {
+            line += fmt::format("  no unit {}{}", row.drawn,
+                                row.near.empty() ? "" : "; near it: " + text::join(row.near, ", "));
+        }
+        *context.out << line << '\n';
+    }
+}
+
+} // namespace
+
+void add_region_commands(CLI::App& root, Context& context) {
+    CLI::App* group = root.get_subcommand("region");
+    auto arguments = std::make_shared<ImportArguments>();
+    CLI::App* import = add_command(*group, context, "import", "take outlines in from a file (GeoJSON)");
+    import->add_option("FILE", arguments->file, "outlines in site coordinates")->required();
+    import->add_flag("--create-units", arguments->options.create_units, "make the units that the project has not yet");
+    import->add_flag("--update", arguments->options.update, "redrawn outlines replace those of the project");
+    import->add_flag("--dry-run", arguments->options.dry_run, "say what would be new; write nothing");
+    import->add_option("--area", arguments->options.area, "area of outlines that name none");
+    import->add_option("--day", arguments->options.day, "day of outlines that name neither day nor surface");
+    import->callback([&context, arguments] { run_import(context, *arguments); });
+    auto day = std::make_shared<std::string>();
+    CLI::App* list = add_command(*group, context, "list", "all regions with area and heights");
+    list->add_option("--day", *day, "of one day only");
+    list->callback([&context, day] { run_list(context, *day); });
+}
+
+} // namespace planum::cli
