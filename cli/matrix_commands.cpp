@@ -110,6 +110,9 @@ void add_matrix_commands(CLI::App& root, Context& context) {
     matrix->add_option("--around", options->draw.around, "only the neighbourhood of this unit");
     matrix->add_option("--steps", options->draw.around_steps, "how far around it")->capture_default_str();
     matrix->add_option("--fold", options->draw.fold, "phases, periods or groups: one box each");
+    matrix->add_option("--bands", options->draw.bands,
+                       "phases, periods or none; unasked where most units have a phase");
+    matrix->add_flag("--frames", options->draw.frames, "a frame around the units of each group");
     matrix->add_option("--since", options->draw.since, "only what was added or changed since this day (YYYY-MM-DD)");
     matrix->add_flag("--problems", options->draw.problems_only, "only what problems are about");
     matrix->add_flag("--titles", options->draw.titles, "short definitions below the numbers");

@@ -24,6 +24,14 @@ strat::Fold fold_of(const std::string& word) {
     throw Error(ErrorCode::Usage, "fold: " + word + " is none of phases, periods, groups");
 }
 
+strat::Bands bands_of(const std::string& word) {
+    if (word.empty()) return strat::Bands::Automatic;
+    if (word == "none") return strat::Bands::None;
+    if (word == "phases") return strat::Bands::Phases;
+    if (word == "periods") return strat::Bands::Periods;
+    throw Error(ErrorCode::Usage, "bands: " + word + " is none of phases, periods, none");
+}
+
 std::unique_ptr<strat::LayoutEngine> engine_of(const DrawRequest& request) {
     if (request.engine.empty() || request.engine == "planum") return std::make_unique<strat::PlanumEngine>();
     if (request.engine == "graphviz") {
@@ -87,6 +95,11 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     strat::DrawingOptions options;
     options.area = request.area;
     options.fold = fold_of(request.fold);
+    options.bands = bands_of(request.bands);
+    if (request.frames) {
+        if (request.engine == "graphviz") throw Error(ErrorCode::Usage, "frames: only the engine planum draws them");
+        options.frames = strat::Frames::Groups;
+    }
     options.around_steps = request.around_steps;
     if (!request.around.empty()) options.around = project.record().units[project.unit_named(request.around)].id;
     if (request.titles) options.labels = strat::Labels::NumbersAndTitles;

@@ -18,6 +18,8 @@ struct DrawRequest {
     std::string around; ///< a unit
     int around_steps = 2;
     std::string fold;                    ///< `phases`, `periods` or `groups`
+    bool frames = false;                 ///< around the units of top-level groups
+    std::string bands;                   ///< `phases`, `periods` or `none`; empty: where most units have one
     std::string since;                   ///< ISO day: what was added or changed since is marked, the rest left out
     bool problems_only = false;          ///< units with errors or warnings about their relations
     bool titles = false;                 ///< short definitions below the numbers

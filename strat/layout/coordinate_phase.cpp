@@ -8,6 +8,8 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "core/base/error.hpp"
+#include "strat/layout/drawing_style.hpp"
 #include "strat/layout/network_simplex.hpp"
 #include "strat/matrix/adjacency.hpp"
 
@@ -17,6 +19,8 @@ namespace {
 
 // The simplex counts in half points.
 constexpr double kHalves = 2.0;
+
+constexpr double kGroupPad = style::kFramePad;
 
 constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
 
@@ -30,6 +34,7 @@ class Placer {
                 layer_[g_.layers[l][i]] = static_cast<std::uint32_t>(l);
             }
         }
+        for (const NodeExtent& extent : extents_) groups_ = std::max(groups_, extent.group + 1);
         down_ = sorted_neighbours(false);
         up_ = sorted_neighbours(true);
         mark_conflicts();
@@ -62,42 +67,144 @@ class Placer {
         std::vector<double> x = balance(layouts);
         settle(x);
         shorten(x);
+        find_sides(x);
         settle(x);
         return x;
     }
 
   private:
+    // Node numbers of a group's left and right side, for the simplex.
+    [[nodiscard]] std::uint32_t left_side(std::int32_t group) const {
+        return g_.nodes + 2 * static_cast<std::uint32_t>(group);
+    }
+
+    [[nodiscard]] std::uint32_t right_side(std::int32_t group) const { return left_side(group) + 1; }
+
+    static std::int32_t halves(double length) { return static_cast<std::int32_t>(std::ceil(length * kHalves)); }
+
+    // What keeps neighbours apart: from node to node, or by way of the sides of the groups they belong to.
+    [[nodiscard]] std::vector<RankArc> separations() const {
+        std::vector<RankArc> arcs;
+        const auto keep_apart = [&](std::uint32_t a, std::uint32_t b) {
+            const std::int32_t group_a = extents_[a].group;
+            const std::int32_t group_b = extents_[b].group;
+            if (group_a == group_b) {
+                arcs.push_back({a, b, halves(separation(a, b)), 0});
+                return;
+            }
+            const double room = std::min(extents_[a].gap, extents_[b].gap);
+            const double left = group_a < 0 ? extents_[a].width / 2.0 : 0.0;
+            const double right = group_b < 0 ? extents_[b].width / 2.0 : 0.0;
+            arcs.push_back({group_a < 0 ? a : right_side(group_a), group_b < 0 ? b : left_side(group_b),
+                            halves(left + right + room), 0});
+        };
+        for (const std::vector<std::uint32_t>& layer : g_.layers) {
+            for (std::size_t i = 0; i < layer.size(); ++i) {
+                if (i > 0) keep_apart(layer[i - 1], layer[i]);
+                const std::int32_t group = extents_[layer[i]].group;
+                if (group < 0) continue;
+                const std::int32_t inside = halves(extents_[layer[i]].width / 2.0 + kGroupPad);
+                arcs.push_back({left_side(group), layer[i], inside, 0});
+                arcs.push_back({layer[i], right_side(group), inside, 0});
+            }
+        }
+        return arcs;
+    }
+
+    // Moves to the right what stands too near to its left neighbour.
+    [[nodiscard]] std::vector<std::int32_t> feasible_start(const std::vector<double>& x,
+                                                           const std::vector<RankArc>& arcs) const {
+        const std::uint32_t nodes = g_.nodes + 2 * static_cast<std::uint32_t>(groups_);
+        std::vector<std::int32_t> start(nodes, std::numeric_limits<std::int32_t>::min());
+        for (std::uint32_t v = 0; v < g_.nodes; ++v) start[v] = static_cast<std::int32_t>(std::lround(x[v] * kHalves));
+        for (std::uint32_t v = 0; v < g_.nodes; ++v) {
+            const std::int32_t group = extents_[v].group;
+            if (group < 0) continue;
+            const std::int32_t inside = halves(extents_[v].width / 2.0 + kGroupPad);
+            std::int32_t& left = start[left_side(group)];
+            std::int32_t& right = start[right_side(group)];
+            const bool first = right == std::numeric_limits<std::int32_t>::min();
+            left = first ? start[v] - inside : std::min(left, start[v] - inside);
+            right = std::max(right, start[v] + inside);
+        }
+        for (std::size_t v = g_.nodes; v < nodes; ++v) { // sides of groups that have no node here
+            if (start[v] == std::numeric_limits<std::int32_t>::min()) start[v] = 0;
+        }
+        const Adjacency out = Adjacency::make(
+            nodes, arcs.size(), [&](std::size_t i) { return arcs[i].from; }, [](std::size_t i) { return i; });
+        std::vector<std::uint32_t> waiting(nodes, 0);
+        for (const RankArc& arc : arcs) ++waiting[arc.to];
+        std::vector<std::uint32_t> open;
+        for (std::uint32_t v = 0; v < nodes; ++v) {
+            if (waiting[v] == 0) open.push_back(v);
+        }
+        for (std::size_t at = 0; at < open.size(); ++at) {
+            for (const std::uint32_t a : out.row(open[at])) {
+                const RankArc& arc = arcs[a];
+                start[arc.to] = std::max(start[arc.to], start[arc.from] + arc.length);
+                if (--waiting[arc.to] == 0) open.push_back(arc.to);
+            }
+        }
+        if (open.size() != nodes) throw Error(ErrorCode::Internal, "the groups of the drawing stand in a ring");
+        return start;
+    }
+
     // Least sum of horizontal ways with all separations kept, as Gansner et al. 1993 place their nodes: each edge
     // gets a node of its own left of both its ends. Keeps the page narrow, which four averaged layouts do not;
     // they are the start, so that few steps are needed.
     void shorten(std::vector<double>& x) const {
         constexpr std::size_t kMostNodes = 60'000; // beyond, the seconds are not worth the paper
         constexpr std::int64_t kWork = 90'000'000; // a pivot costs up to a step a node
-        if (g_.nodes + g_.edges.size() > kMostNodes || g_.edges.empty()) return;
-        std::vector<std::int32_t> start(g_.nodes + g_.edges.size());
-        std::vector<RankArc> arcs;
-        for (const std::vector<std::uint32_t>& layer : g_.layers) {
-            std::int32_t least = std::numeric_limits<std::int32_t>::min();
-            for (std::size_t i = 0; i < layer.size(); ++i) {
-                if (i > 0) {
-                    const auto gap = static_cast<std::int32_t>(std::ceil(separation(layer[i - 1], layer[i]) * kHalves));
-                    arcs.push_back({layer[i - 1], layer[i], gap, 0});
-                    least = start[layer[i - 1]] + gap;
-                }
-                start[layer[i]] = std::max(least, static_cast<std::int32_t>(std::lround(x[layer[i]] * kHalves)));
+        const bool too_many = g_.nodes + g_.edges.size() > kMostNodes || g_.edges.empty();
+        if (too_many && groups_ == 0) return;
+        std::vector<RankArc> arcs = separations();
+        std::vector<std::int32_t> placed = feasible_start(x, arcs);
+        if (!too_many) {
+            for (std::size_t e = 0; e < g_.edges.size(); ++e) {
+                const auto [u, v] = g_.edges[e];
+                const auto middle = static_cast<std::uint32_t>(placed.size());
+                const std::int32_t weight = weight_of(u, v);
+                arcs.push_back({middle, u, 0, weight});
+                arcs.push_back({middle, v, 0, weight});
+                placed.push_back(std::min(placed[u], placed[v]));
             }
+            for (std::int32_t group = 0; group < groups_; ++group) {
+                constexpr std::int32_t kTight = 1;
+                arcs.push_back({left_side(group), right_side(group), 0, kTight});
+            }
+            placed =
+                network_simplex(static_cast<std::uint32_t>(placed.size()), arcs, kWork / std::ssize(placed), placed);
         }
-        for (std::size_t e = 0; e < g_.edges.size(); ++e) {
-            const auto [u, v] = g_.edges[e];
-            const auto middle = static_cast<std::uint32_t>(g_.nodes + e);
-            const std::int32_t weight = weight_of(u, v);
-            arcs.push_back({middle, u, 0, weight});
-            arcs.push_back({middle, v, 0, weight});
-            start[middle] = std::min(start[u], start[v]);
-        }
-        const std::vector<std::int32_t> placed =
-            network_simplex(static_cast<std::uint32_t>(start.size()), arcs, kWork / std::ssize(start), start);
         for (std::uint32_t v = 0; v < g_.nodes; ++v) x[v] = static_cast<double>(placed[v]) / kHalves;
+    }
+
+    void find_sides(const std::vector<double>& x) {
+        const double infinity = std::numeric_limits<double>::infinity();
+        sides_.assign(static_cast<std::size_t>(groups_), {infinity, -infinity});
+        for (std::uint32_t v = 0; v < g_.nodes; ++v) {
+            if (extents_[v].group < 0) continue;
+            Sides& sides = sides_[static_cast<std::size_t>(extents_[v].group)];
+            sides.left = std::min(sides.left, x[v] - extents_[v].width / 2.0 - kGroupPad);
+            sides.right = std::max(sides.right, x[v] + extents_[v].width / 2.0 + kGroupPad);
+        }
+    }
+
+    // Least x of v beside its left neighbour, or most beside its right one, kept out of or inside its group.
+    [[nodiscard]] double bound(std::uint32_t v, const std::vector<double>& x, bool leftwards) const {
+        const double sign = leftwards ? 1.0 : -1.0;
+        const std::uint32_t n = neighbour(v, leftwards);
+        const std::int32_t own = extents_[v].group;
+        if (own < 0 || sides_.empty()) {
+            if (n == kNone) return -sign * std::numeric_limits<double>::infinity();
+            if (extents_[n].group < 0 || sides_.empty()) return x[n] + sign * separation(n, v);
+            const Sides& sides = sides_[static_cast<std::size_t>(extents_[n].group)];
+            const double room = std::min(extents_[n].gap, extents_[v].gap) + extents_[v].width / 2.0;
+            return leftwards ? sides.right + room : sides.left - room;
+        }
+        if (n != kNone && extents_[n].group == own) return x[n] + sign * separation(n, v);
+        const Sides& sides = sides_[static_cast<std::size_t>(own)];
+        const double inside = extents_[v].width / 2.0 + kGroupPad;
+        return leftwards ? sides.left + inside : sides.right - inside;
     }
 
     // Long lines first of all straight, then boxes that have only each other.
@@ -176,10 +283,8 @@ class Placer {
         double least = -std::numeric_limits<double>::infinity();
         double most = -least;
         for (const std::uint32_t v : block) {
-            const std::uint32_t left = neighbour(v, true);
-            const std::uint32_t right = neighbour(v, false);
-            if (left != kNone) least = std::max(least, x[left] + separation(left, v));
-            if (right != kNone) most = std::min(most, x[right] - separation(v, right));
+            least = std::max(least, bound(v, x, true));
+            most = std::min(most, bound(v, x, false));
         }
         const double now = x[block.front()];
         const double wanted = std::clamp(now, std::min(low, high), std::max(low, high));
@@ -273,7 +378,9 @@ class Placer {
     }
 
     [[nodiscard]] double separation(std::uint32_t a, std::uint32_t b) const {
-        return (extents_[a].width + extents_[b].width) / 2.0 + std::min(extents_[a].gap, extents_[b].gap);
+        const double room = (extents_[a].width + extents_[b].width) / 2.0 + std::min(extents_[a].gap, extents_[b].gap);
+        if (extents_[a].group == extents_[b].group) return room;
+        return room + (extents_[a].group >= 0 ? kGroupPad : 0.0) + (extents_[b].group >= 0 ? kGroupPad : 0.0);
     }
 
     [[nodiscard]] std::uint32_t neighbour(std::uint32_t v, bool leftwards) const {
@@ -372,6 +479,14 @@ class Placer {
     std::unordered_set<std::uint64_t> conflicts_;
     std::vector<std::uint32_t> root_;
     std::vector<std::uint32_t> align_;
+
+    struct Sides {
+        double left = 0.0;
+        double right = 0.0;
+    };
+
+    std::int32_t groups_ = 0;
+    std::vector<Sides> sides_; // of each group; empty before the simplex has placed them
 };
 
 } // namespace

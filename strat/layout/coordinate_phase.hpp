@@ -13,6 +13,9 @@ struct NodeExtent {
     double width = 0.0;   ///< [pt]
     double gap = 0.0;     ///< to its neighbours: the smaller of the two counts [pt]
     bool is_line = false; ///< a line passing the level, which should run straight
+    /// Nodes of one group keep all others out of the rectangle around them, −1: of none. They must stand side by
+    /// side on each level, and two groups in the same order on every level they share.
+    std::int32_t group = -1;
 };
 
 /// Third phase: x of each node's centre [pt], neighbours at least their gaps apart, lines straight and

@@ -248,7 +248,8 @@ class PageMaker {
 
     void name_frames() {
         for (const DrawnFrame& frame : drawing_.frames) {
-            add_text("frame", frame.heading, {frame.rect.x + 4.0, frame.rect.y + style::kSmallText + 3.0},
+            add_text("frame", frame.heading,
+                     {frame.rect.x + style::kFramePad, frame.rect.y + style::kFramePad + style::kSmallText},
                      style::kSmallText, FontWeight::Regular);
         }
     }

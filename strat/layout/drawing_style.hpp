@@ -20,6 +20,7 @@ inline constexpr double kTrackGap = 7.0;      ///< between two horizontal lines
 inline constexpr double kChannelMargin = 9.0; ///< from a box to the first horizontal line
 inline constexpr double kChannelMin = 20.0;   ///< least height between two levels
 inline constexpr double kComponentGap = 34.0; ///< between parts of the matrix that no line joins
+inline constexpr double kFramePad = 8.0;      ///< from a group's boxes to its frame
 inline constexpr double kPageMargin = 36.0;
 inline constexpr double kTitleSize = 16.0;
 inline constexpr double kSubtitleSize = 9.5;

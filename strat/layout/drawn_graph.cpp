@@ -359,7 +359,7 @@ class GraphMaker {
             const auto at = static_cast<std::size_t>(key.position);
             const std::string& title = bands == Bands::Phases ? record_.phases[at].title : record_.periods[at].title;
             const bool repeats = title.empty() || title == key.number;
-            graph_.bands.push_back({xml_id("band-", key.number), repeats ? key.number : key.number + " " + title});
+            graph_.bands.push_back({xml_id("band-", key.number), repeats ? key.number : key.number + " " + title, 0.0});
         }
         for (GraphBox& b : graph_.boxes) {
             const auto band = band_of.find(keys[b.units.front()]);
@@ -377,8 +377,10 @@ class GraphMaker {
             const auto [it, fresh] = used.emplace(key, static_cast<std::int32_t>(graph_.groups.size()));
             if (fresh) {
                 const model::UnitGroup& group = record_.groups[static_cast<std::size_t>(key)];
-                graph_.groups.push_back({xml_id("group-", group.number),
-                                         group.title.empty() ? group.number : group.number + " " + group.title});
+                const bool repeats = group.title.empty() || group.title == group.number;
+                const std::string heading = repeats ? group.number : group.number + " " + group.title;
+                graph_.groups.push_back({xml_id("group-", group.number), heading,
+                                         request_.text.width(heading, style::kSmallText, FontWeight::Regular)});
             }
             b.group = it->second;
         }

@@ -34,6 +34,7 @@ struct GraphOrder {
 struct GraphBand {
     std::string id;
     std::string heading;
+    double width = 0.0; ///< of a group's heading, as measured [pt]
 };
 
 /// What is drawn, without places: boxes in natural order, the reduced orders between them.

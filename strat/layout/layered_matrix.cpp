@@ -8,6 +8,7 @@
 
 #include "strat/layout/coordinate_phase.hpp"
 #include "strat/layout/drawing_style.hpp"
+#include "strat/layout/group_order.hpp"
 #include "strat/layout/order_phase.hpp"
 
 namespace planum::strat {
@@ -39,7 +40,9 @@ class Layerer {
 
     LayeredMatrix make() {
         out_.band_begin = ranking_.band_begin;
-        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) out_.nodes.push_back({ranking_.rank[b], b, 0, 0.0});
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
+            out_.nodes.push_back({ranking_.rank[b], b, 0, 0.0, graph_.boxes[b].group, 0.0});
+        }
         out_.paths.resize(graph_.orders.size());
         const bool share = line_nodes() > kMostLineNodes;
         for (std::uint32_t n = 0; n < nets_.size(); ++n) {
@@ -49,6 +52,7 @@ class Layerer {
                 add_downward(n, share || (nets_[n].later.size() > 1 && nets_[n].earlier.size() > 1));
             }
         }
+        add_frames();
         split_components();
         merged_.resize(out_.nodes.size());
         std::iota(merged_.begin(), merged_.end(), 0U);
@@ -58,6 +62,7 @@ class Layerer {
         pack();
         collect_levels();
         collect_pieces();
+        collect_frames();
         return std::move(out_);
     }
 
@@ -69,7 +74,7 @@ class Layerer {
     }
 
     std::uint32_t add_line_node(std::int32_t level, std::uint32_t net) {
-        out_.nodes.push_back({level, kNoBox, net, 0.0});
+        out_.nodes.push_back({level, kNoBox, net, 0.0, group_of_net(net), 0.0});
         return static_cast<std::uint32_t>(out_.nodes.size() - 1);
     }
 
@@ -107,6 +112,47 @@ class Layerer {
         path.nodes.push_back(order.earlier);
     }
 
+    // A line belongs into a frame if all boxes that it joins do.
+    [[nodiscard]] std::int32_t group_of_net(std::uint32_t net) const {
+        const std::int32_t group = graph_.boxes[nets_[net].later.front()].group;
+        for (const auto* side : {&nets_[net].later, &nets_[net].earlier}) {
+            for (const std::uint32_t b : *side) {
+                if (graph_.boxes[b].group != group) return kNoBand;
+            }
+        }
+        return group;
+    }
+
+    // Each frame gets its heading beside its first row of boxes, and on every level that it passes empty
+    // something that keeps its place.
+    void add_frames() {
+        if (graph_.groups.empty()) return;
+        std::vector<std::vector<std::int32_t>> levels(graph_.groups.size()); // of each group's nodes
+        box_of_group_.assign(graph_.groups.size(), kNoBox);
+        for (std::uint32_t v = 0; v < out_.nodes.size(); ++v) {
+            const LayeredMatrix::Node& node = out_.nodes[v];
+            if (node.group < 0 || (node.box != kNoBox && graph_.boxes[node.box].box.isolated)) continue;
+            levels[static_cast<std::size_t>(node.group)].push_back(node.level);
+            if (node.box != kNoBox) box_of_group_[static_cast<std::size_t>(node.group)] = node.box;
+        }
+        for (std::size_t group = 0; group < levels.size(); ++group) {
+            std::vector<std::int32_t>& used = levels[group];
+            if (used.empty()) continue;
+            std::sort(used.begin(), used.end());
+            const auto number = static_cast<std::int32_t>(group);
+            out_.nodes.push_back(
+                {used.front(), kNoBox, LayeredMatrix::kNoNet, 0.0, number, graph_.groups[group].width});
+            for (std::int32_t l = used.front(); l <= used.back(); ++l) {
+                if (std::binary_search(used.begin(), used.end(), l)) continue;
+                out_.nodes.push_back({l, kNoBox, LayeredMatrix::kNoNet, 0.0, number, 0.0});
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_line(const LayeredMatrix::Node& node) const {
+        return node.box == kNoBox && node.net != LayeredMatrix::kNoNet;
+    }
+
     void split_components() {
         std::vector<std::uint32_t> number(ranking_.component_count, kNoBox);
         const auto component_at = [&](std::uint32_t box) -> Component& {
@@ -121,7 +167,10 @@ class Layerer {
             if (!graph_.boxes[b].box.isolated) component_at(b).nodes.push_back(b);
         }
         for (std::uint32_t v = static_cast<std::uint32_t>(graph_.boxes.size()); v < out_.nodes.size(); ++v) {
-            component_at(nets_[out_.nodes[v].net].later.front()).nodes.push_back(v);
+            const LayeredMatrix::Node& node = out_.nodes[v];
+            const std::uint32_t box =
+                is_line(node) ? nets_[node.net].later.front() : box_of_group_[static_cast<std::size_t>(node.group)];
+            component_at(box).nodes.push_back(v);
         }
         paths_of_.resize(components_.size());
         for (std::uint32_t i = 0; i < out_.paths.size(); ++i) {
@@ -192,6 +241,7 @@ class Layerer {
         OrderOptions options;
         options.keep_given = sort_as_before(component, g);
         order_layers(g, options, progress_);
+        if (!graph_.groups.empty()) order_groups(g, groups_in(component), progress_);
         // From here on the component's nodes stand level by level, left to right.
         std::vector<std::uint32_t> nodes;
         nodes.reserve(component.nodes.size());
@@ -199,6 +249,16 @@ class Layerer {
             for (const std::uint32_t i : layer) nodes.push_back(component.nodes[i]);
         }
         component.nodes = std::move(nodes);
+    }
+
+    [[nodiscard]] NodeGroups groups_in(const Component& component) const {
+        NodeGroups groups;
+        groups.count = static_cast<std::int32_t>(graph_.groups.size());
+        for (const std::uint32_t v : component.nodes) {
+            groups.group.push_back(out_.nodes[v].group);
+            groups.leads.push_back(out_.nodes[v].width > 0.0);
+        }
+        return groups;
     }
 
     // Begins where the earlier drawing left off: known boxes by their x, the others and the lines by the mean of
@@ -251,7 +311,7 @@ class Layerer {
             for (std::size_t k = 0; k < n; ++k) {
                 const std::uint32_t v = order[k];
                 if (merged_[v] != v) continue;
-                const bool line = out_.nodes[v].box == kNoBox && !nets_[out_.nodes[v].net].upwards;
+                const bool line = is_line(out_.nodes[v]) && !nets_[out_.nodes[v].net].upwards;
                 const bool joins = line && last != kNoBox && out_.nodes[last].box == kNoBox &&
                                    out_.nodes[last].level == out_.nodes[v].level &&
                                    out_.nodes[last].net == out_.nodes[v].net && beyond_[v] != kNoBox &&
@@ -289,10 +349,11 @@ class Layerer {
         for (std::uint32_t i = 0; i < component.nodes.size(); ++i) {
             const LayeredMatrix::Node& node = out_.nodes[component.nodes[i]];
             g.layers[static_cast<std::size_t>(node.level)].push_back(i);
-            const bool line = node.box == kNoBox;
-            extents[i].is_line = line;
-            extents[i].width = line ? 0.0 : graph_.boxes[node.box].box.rect.width;
-            extents[i].gap = line ? style::kLineGap : style::kBoxGap;
+            const bool box = node.box != kNoBox;
+            extents[i].is_line = is_line(node);
+            extents[i].width = box ? graph_.boxes[node.box].box.rect.width : node.width;
+            extents[i].gap = box ? style::kBoxGap : style::kLineGap;
+            extents[i].group = node.group;
         }
         const std::vector<double> x = place_nodes(g, extents);
         double left = 0.0;
@@ -300,8 +361,9 @@ class Layerer {
         for (std::uint32_t i = 0; i < component.nodes.size(); ++i) {
             const double rounded = std::round(x[i] * 2.0) / 2.0; // all x are halves, so that equal means equal
             out_.nodes[component.nodes[i]].x = rounded;
-            left = std::min(left, rounded - extents[i].width / 2.0);
-            right = std::max(right, rounded + extents[i].width / 2.0);
+            const double side = extents[i].width / 2.0 + (extents[i].group >= 0 ? style::kFramePad : 0.0);
+            left = std::min(left, rounded - side);
+            right = std::max(right, rounded + side);
         }
         left = std::floor(left * 2.0) / 2.0;
         for (const std::uint32_t v : component.nodes) out_.nodes[v].x -= left;
@@ -376,11 +438,36 @@ class Layerer {
         out_.pieces.erase(std::unique(out_.pieces.begin(), out_.pieces.end()), out_.pieces.end());
     }
 
+    void collect_frames() {
+        std::vector<LayeredMatrix::Frame> frames(graph_.groups.size());
+        std::vector<bool> used(frames.size(), false);
+        for (const std::vector<std::uint32_t>& level : out_.levels) {
+            for (const std::uint32_t v : level) {
+                const LayeredMatrix::Node& node = out_.nodes[v];
+                if (node.group < 0) continue;
+                const auto group = static_cast<std::size_t>(node.group);
+                const double width = node.box == kNoBox ? node.width : graph_.boxes[node.box].box.rect.width;
+                const double side = width / 2.0 + style::kFramePad;
+                LayeredMatrix::Frame& f = frames[group];
+                if (!used[group]) f = {node.group, node.x - side, node.x + side, node.level, node.level};
+                used[group] = true;
+                f.left = std::min(f.left, node.x - side);
+                f.right = std::max(f.right, node.x + side);
+                f.first_level = std::min(f.first_level, node.level);
+                f.last_level = std::max(f.last_level, node.level);
+            }
+        }
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            if (used[i]) out_.frames.push_back(frames[i]);
+        }
+    }
+
     const DrawnGraph& graph_;
     const Ranking& ranking_;
     const std::vector<Net>& nets_;
     Progress& progress_;
     LayeredMatrix out_;
+    std::vector<std::uint32_t> box_of_group_; // any of its boxes
     std::vector<Component> components_;
     std::vector<std::vector<std::uint32_t>> paths_of_; // orders by component
     std::vector<std::uint32_t> local_;                 // by node: its place in its component

@@ -15,11 +15,24 @@ namespace planum::strat {
 struct LayeredMatrix {
     static constexpr std::uint32_t kNoBox = static_cast<std::uint32_t>(-1);
 
+    static constexpr std::uint32_t kNoNet = static_cast<std::uint32_t>(-1);
+
     struct Node {
         std::int32_t level = 0;
-        std::uint32_t box = kNoBox; ///< kNoBox: a line passes
-        std::uint32_t net = 0;      ///< of the line
+        std::uint32_t box = kNoBox; ///< kNoBox: a line passes, or a frame's heading or empty level
+        std::uint32_t net = 0;      ///< of the line; kNoNet: no line
         double x = 0.0;             ///< centre [pt]
+        std::int32_t group = -1;    ///< the frame it stands in, a position in DrawnGraph::groups
+        double width = 0.0;         ///< of a heading [pt]
+    };
+
+    /// The rectangle that a group has to itself.
+    struct Frame {
+        std::int32_t group = 0;
+        double left = 0.0; ///< [pt]
+        double right = 0.0;
+        std::int32_t first_level = 0;
+        std::int32_t last_level = 0;
     };
 
     /// A piece of a net's line between a level and the next.
@@ -44,6 +57,7 @@ struct LayeredMatrix {
     std::vector<Path> paths;                        ///< by order
     std::vector<std::vector<std::uint32_t>> levels; ///< left to right
     std::vector<std::int32_t> band_begin;           ///< see Ranking
+    std::vector<Frame> frames;                      ///< in the order of the groups
 };
 
 /// Second and third phase for each component apart, and the components put side by side or, where there is

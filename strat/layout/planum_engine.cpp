@@ -41,6 +41,7 @@ class Assembler {
             drawing_.lines[i].points = points_of(m_.paths[i], drawing_.lines[i]);
         find_junctions();
         place_bands();
+        place_frames();
         return std::move(drawing_);
     }
 
@@ -70,7 +71,20 @@ class Assembler {
         if (tracks > 0) {
             height = std::max(height, 2.0 * style::kChannelMargin + style::kTrackGap * static_cast<double>(tracks - 1));
         }
-        return height + edge_height(c);
+        return height + edge_height(c) + frames_end_above(c) + frames_begin_below(c);
+    }
+
+    // Frames' upper and lower edges, too, have strips to themselves, next to the boxes.
+    [[nodiscard]] double frames_begin_below(std::size_t c) const {
+        const bool any = std::any_of(m_.frames.begin(), m_.frames.end(),
+                                     [&](const auto& f) { return static_cast<std::size_t>(f.first_level) == c; });
+        return any ? style::kFramePad : 0.0;
+    }
+
+    [[nodiscard]] double frames_end_above(std::size_t c) const {
+        const bool any = std::any_of(m_.frames.begin(), m_.frames.end(),
+                                     [&](const auto& f) { return static_cast<std::size_t>(f.last_level) + 1 == c; });
+        return any ? style::kFramePad : 0.0;
     }
 
     // A band's edge has a strip of the channel to itself, above all horizontal lines: none may run along it.
@@ -82,7 +96,7 @@ class Assembler {
     [[nodiscard]] double edge_y(std::size_t c) const {
         if (c == 0) return channel_top_[c];
         if (c == m_.levels.size()) return channel_bottom_[c];
-        return channel_top_[c] + std::min(9.0, channel_height(c) / 2.0);
+        return channel_top_[c] + frames_end_above(c) + 9.0;
     }
 
     void place_levels() {
@@ -128,7 +142,8 @@ class Assembler {
     // Tracks stand in the middle of the channel, or of what a band's edge leaves of it.
     [[nodiscard]] double track_y(std::size_t channel, std::int32_t track) const {
         const double edge = channel == m_.levels.size() ? -edge_height(channel) : edge_height(channel);
-        const double middle = (channel_top_[channel] + channel_bottom_[channel] + edge) / 2.0;
+        const double strips = edge + frames_end_above(channel) - frames_begin_below(channel);
+        const double middle = (channel_top_[channel] + channel_bottom_[channel] + strips) / 2.0;
         return middle +
                style::kTrackGap * (static_cast<double>(track) - static_cast<double>(routes_[channel].tracks - 1) / 2.0);
     }
@@ -218,6 +233,18 @@ class Assembler {
             band.rect.y = edge_y(first);
             band.rect.height = edge_y(after) - band.rect.y;
             if (band.rect.height > 0.0) drawing_.bands.push_back(std::move(band));
+        }
+    }
+
+    void place_frames() {
+        for (const LayeredMatrix::Frame& f : m_.frames) {
+            DrawnFrame frame;
+            frame.id = graph_.groups[static_cast<std::size_t>(f.group)].id;
+            frame.heading = graph_.groups[static_cast<std::size_t>(f.group)].heading;
+            const double top = level_top_[static_cast<std::size_t>(f.first_level)] - style::kFramePad;
+            const double bottom = level_bottom_[static_cast<std::size_t>(f.last_level)] + style::kFramePad;
+            frame.rect = {f.left, top, f.right - f.left, bottom - top};
+            drawing_.frames.push_back(std::move(frame));
         }
     }
 

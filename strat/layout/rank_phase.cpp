@@ -11,6 +11,8 @@ namespace planum::strat {
 
 namespace {
 
+constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
+
 // Union-find; the smallest leads.
 class Sets {
   public:
@@ -61,6 +63,13 @@ class Ranker {
     void find_components() {
         Sets sets(graph_.boxes.size());
         for (const GraphOrder& o : graph_.orders) sets.join(o.later, o.earlier);
+        std::vector<std::uint32_t> first(graph_.groups.size(), kNone); // boxes of one frame are laid out together
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
+            if (graph_.boxes[b].group < 0 || graph_.boxes[b].box.isolated) continue;
+            std::uint32_t& with = first[static_cast<std::size_t>(graph_.boxes[b].group)];
+            if (with == kNone) with = b;
+            sets.join(with, b);
+        }
         out_.component.assign(graph_.boxes.size(), 0);
         std::vector<std::uint32_t> number(graph_.boxes.size(), 0);
         for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {

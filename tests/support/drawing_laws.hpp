@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,57 @@ inline std::string broken_law(const model::Record& record, const strat::MatrixDr
     for (const DrawnLine& line : drawing.lines) {
         const bool above = drawing.boxes[line.later].rect.bottom() < drawing.boxes[line.earlier].rect.y;
         if (!above && !line.upwards) return line.id + " runs upwards without saying so";
+    }
+    return {};
+}
+
+/// What breaks the laws of frames, in words; empty if nothing: a frame holds all boxes of its group but the
+/// isolated ones, and nobody else's; frames do not overlap.
+inline std::string broken_frame(const model::Record& record, const strat::MatrixDrawing& drawing) {
+    using namespace strat;
+    const auto overlap = [](const DrawRect& a, const DrawRect& b) {
+        return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+    };
+    for (const DrawnFrame& frame : drawing.frames) {
+        const auto group = std::find_if(record.groups.begin(), record.groups.end(),
+                                        [&](const model::UnitGroup& g) { return g.number == frame.heading; });
+        if (group == record.groups.end()) return frame.heading + " is no group";
+        std::size_t held = 0;
+        for (const DrawnBox& box : drawing.boxes) {
+            const bool member =
+                std::find(group->members.begin(), group->members.end(), box.units.front()) != group->members.end();
+            if (member && !box.isolated) {
+                const DrawRect& r = box.rect;
+                const bool inside = r.x >= frame.rect.x && r.right() <= frame.rect.right() && r.y >= frame.rect.y &&
+                                    r.bottom() <= frame.rect.bottom();
+                if (!inside) return frame.heading + " does not hold " + box.id;
+                ++held;
+            } else if (overlap(box.rect, frame.rect)) {
+                return frame.heading + " holds " + box.id + ", which is not its own";
+            }
+        }
+        if (held == 0) return frame.heading + " holds nothing";
+        for (const DrawnFrame& other : drawing.frames) {
+            if (&other != &frame && overlap(other.rect, frame.rect))
+                return frame.heading + " overlaps " + other.heading;
+        }
+        if (frame.rect.x < 0.0 || frame.rect.right() > drawing.width || frame.rect.bottom() > drawing.height)
+            return frame.heading + " leaves the page";
+    }
+    for (const DrawnText& text : drawing.texts) {
+        if (text.role != "frame") continue;
+        const DrawRect rect{text.at.x, text.at.y - text.size * 0.8, text.width, text.size};
+        for (const DrawnBox& box : drawing.boxes) {
+            if (overlap(box.rect, rect)) return "the heading " + text.text + " runs into " + box.id;
+        }
+        for (const DrawnLine& line : drawing.lines) {
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const DrawPoint& a = line.points[i - 1];
+                const DrawPoint& b = line.points[i];
+                const DrawRect stroke{std::min(a.x, b.x), std::min(a.y, b.y), std::abs(a.x - b.x), std::abs(a.y - b.y)};
+                if (overlap(stroke, rect)) return "the heading " + text.text + " is struck through by " + line.id;
+            }
+        }
     }
     return {};
 }

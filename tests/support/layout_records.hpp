@@ -54,6 +54,19 @@ class MatrixBuilder {
         return *this;
     }
 
+    MatrixBuilder& group(const std::string& number, const std::string& group) {
+        auto it = std::find_if(record_.groups.begin(), record_.groups.end(),
+                               [&](const model::UnitGroup& g) { return g.number == group; });
+        if (it == record_.groups.end()) {
+            model::UnitGroup fresh;
+            fresh.id = {ids_.next()};
+            fresh.number = group;
+            it = record_.groups.insert(it, fresh);
+        }
+        it->members.push_back(record_.units[find(number)].id);
+        return *this;
+    }
+
     [[nodiscard]] model::UnitId id(const std::string& number) { return record_.units[find(number)].id; }
 
     [[nodiscard]] model::Record record() const {
@@ -148,6 +161,7 @@ struct RandomMatrixOptions {
     bool same_as = false;
     bool uncertain = false;
     std::size_t phases = 0; ///< given to units at random, whatever the relations say
+    std::size_t groups = 0; ///< likewise
 };
 
 /// Any relations between any units: nothing a trench would give, everything a drawing must survive.
@@ -178,6 +192,10 @@ inline model::Record a_random_record(const RandomMatrixOptions& options) {
     for (std::size_t u = 0; u < options.units && options.phases > 0; ++u) {
         const std::size_t phase = pick(options.phases + 1);
         if (phase > 0) builder.phase(name(u), "P" + std::to_string(phase), static_cast<std::int64_t>(phase));
+    }
+    for (std::size_t u = 0; u < options.units && options.groups > 0; ++u) {
+        const std::size_t group = pick(2 * options.groups);
+        if (group < options.groups) builder.group(name(u), "Group " + std::to_string(group + 1));
     }
     return builder.record();
 }

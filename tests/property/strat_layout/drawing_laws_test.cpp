@@ -57,3 +57,23 @@ TEST_CASE("Any trench, drawn and read back, is the reduced matrix") {
         if (!law.empty()) RC_FAIL("seed " + std::to_string(options.seed) + ": " + law);
     }));
 }
+
+TEST_CASE("Any groups get frames that hold their own boxes and nobody else's, and the orders stay as they are") {
+    CHECK(rc::check("frames", [] {
+        test::RandomMatrixOptions options = *any_matrix();
+        options.groups = *rc::gen::inRange<std::size_t>(1, 7);
+        const model::Record record = test::a_random_record(options);
+        strat::DrawingOptions drawing_options;
+        drawing_options.frames = strat::Frames::Groups;
+        const strat::MatrixDrawing drawing = test::drawing_of(record, drawing_options);
+        std::string law = test::broken_law(record, drawing);
+        if (law.empty()) law = test::broken_frame(record, drawing);
+        if (!law.empty()) {
+            RC_FAIL("seed " + std::to_string(options.seed) + ", " + std::to_string(options.units) + " units, " +
+                    std::to_string(options.relations) + " relations, " + std::to_string(options.groups) +
+                    " groups, flags " + std::to_string(options.cycles) + std::to_string(options.contemporaries) +
+                    std::to_string(options.same_as) + std::to_string(options.uncertain) + " phases " +
+                    std::to_string(options.phases) + ": " + law);
+        }
+    }));
+}

@@ -231,3 +231,22 @@ TEST_CASE("A common bar that states too much is read as it looks") {
     drawing.height = 400.0;
     CHECK(read_back(drawing).orders.size() == 4);
 }
+
+TEST_CASE("A frame stands around the units of a group, with its heading, and beside those of others") {
+    auto builder = a_matrix();
+    builder.above("1", "2").above("2", "3").above("3", "9").above("1", "4").above("4", "5").above("5", "9");
+    builder.above("1", "6").above("6", "9");
+    for (const char* unit : {"2", "5"}) builder.group(unit, "Pit A");
+    for (const char* unit : {"3", "4"}) builder.group(unit, "Pit B");
+    DrawingOptions options;
+    options.frames = Frames::Groups;
+    const model::Record record = builder.record();
+    const MatrixDrawing drawing = drawing_of(record, options);
+    REQUIRE(drawing.frames.size() == 2);
+    CHECK(broken_law(record, drawing).empty());
+    CHECK(test::broken_frame(record, drawing).empty());
+    CHECK(std::count_if(drawing.texts.begin(), drawing.texts.end(), [](const DrawnText& t) {
+              return t.role == "frame" && (t.text == "Pit A" || t.text == "Pit B");
+          }) == 2);
+    CHECK(drawing_of(record).frames.empty());
+}
