@@ -129,15 +129,9 @@ T made(Dice& dice, const Record& record) {
     return value;
 }
 
-/// Inserts, updates or removes one record of one kind.
+/// Updates or removes one record of one kind.
 template<class T>
-void step(ProjectFile& project, Dice& dice, Record& record, std::vector<T>& values, bool removable) {
-    if (values.empty() || dice.one_in(2)) {
-        T value = made<T>(dice, record);
-        value.id = project.insert(value);
-        values.push_back(value);
-        return;
-    }
+void change_one(ProjectFile& project, Dice& dice, Record& record, std::vector<T>& values, bool removable) {
     T& value = dice.of(values);
     if constexpr (requires { project.remove(value.id); }) {
         if (removable && dice.one_in(3)) {
@@ -150,9 +144,20 @@ void step(ProjectFile& project, Dice& dice, Record& record, std::vector<T>& valu
     project.update(value);
 }
 
+/// Inserts, updates or removes one record of one kind.
+template<class T>
+void step(ProjectFile& project, Dice& dice, Record& record, std::vector<T>& values, bool removable) {
+    if (!values.empty() && !dice.one_in(2)) return change_one(project, dice, record, values, removable);
+    T value = made<T>(dice, record);
+    value.id = project.insert(value);
+    values.push_back(value);
+}
+
 void relation_step(ProjectFile& project, Dice& dice, Record& record) {
     if (record.units.empty()) return;
-    if (!record.relations.empty() && dice.one_in(2)) return step(project, dice, record, record.relations, true);
+    if (!record.relations.empty() && dice.one_in(2)) {
+        return change_one(project, dice, record, record.relations, true);
+    }
     PhysicalRelation relation;
     relation.subject = dice.of(record.units).id;
     relation.object = dice.of(record.units).id;
