@@ -9,6 +9,8 @@
 
 #include "app/regions/region_import.hpp"
 #include "app/regions/region_list.hpp"
+#include "app/regions/region_names.hpp"
+#include "app/regions/region_ply.hpp"
 #include "core/base/text.hpp"
 
 namespace planum::cli {
@@ -102,7 +104,7 @@ ordered_json height_json(const std::optional<double>& z) { return z ? ordered_js
 
 void run_list(const Context& context, const std::string& day) {
     app::Project project = context.open(store::OpenMode::ReadOnly);
-    const std::vector<app::RegionRow> rows = app::list_regions(project, day);
+    const std::vector<app::RegionRow> rows = app::list_regions(project, day, *context.progress);
     if (context.json) {
         ordered_json list = ordered_json::array();
         for (const app::RegionRow& row : rows) {
@@ -121,16 +123,19 @@ void run_list(const Context& context, const std::string& day) {
                 list.back()["drawn"] = row.drawn;
                 list.back()["near"] = row.near;
             }
+            if (row.outside_scans) list.back()["outside_scans"] = true;
         }
         return context.print({{"regions", list}});
     }
     for (const app::RegionRow& row : rows) {
         std::string line = fmt::format("{:<24} {:<8} {:>8.2f} m²", row.region, row.shows, row.area);
+        if (row.points > 0) line += fmt::format("  {} points", row.points);
         if (row.z_min) line += fmt::format("  {:.2f} … {:.2f} m", *row.z_min, *row.z_max);
         if (!row.drawn.empty()) {
             line += fmt::format("  no unit {}{}", row.drawn,
                                 row.near.empty() ? "" : "; near it: " + text::join(row.near, ", "));
         }
+        if (row.outside_scans) line += "  outside all scans of its day";
         *context.out << line << '\n';
     }
 }
@@ -148,6 +153,24 @@ void add_region_commands(CLI::App& root, Context& context) {
     import->add_option("--area", arguments->options.area, "area of outlines that name none");
     import->add_option("--day", arguments->options.day, "day of outlines that name neither day nor surface");
     import->callback([&context, arguments] { run_import(context, *arguments); });
+
+    struct Points {
+        std::string region;
+        std::string file;
+    };
+
+    auto points = std::make_shared<Points>();
+    CLI::App* cut_out =
+        add_command(*group, context, "points", "write the points of one region as PLY, site coordinates");
+    cut_out->add_option("REGION", points->region, "SURFACE/UNIT#n")->required();
+    cut_out->add_option("-o,--output", points->file, "the PLY file")->required();
+    cut_out->callback([&context, points] {
+        app::Project project = context.open(store::OpenMode::ReadOnly);
+        const model::Region region = app::region_named(project, points->region);
+        const auto count = app::write_region_points(project, region, points->file, *context.progress);
+        if (context.json) return context.print({{"region", points->region}, {"file", points->file}, {"points", count}});
+        context.say(fmt::format("wrote {} points to {}", count, points->file));
+    });
     auto day = std::make_shared<std::string>();
     CLI::App* list = add_command(*group, context, "list", "all regions with area and heights");
     list->add_option("--day", *day, "of one day only");

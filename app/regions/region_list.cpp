@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/regions/region_heights.hpp"
 #include "app/regions/region_import.hpp"
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_names.hpp"
@@ -40,10 +41,11 @@ std::vector<double> shown_areas(const model::Record& record) {
 
 } // namespace
 
-std::vector<RegionRow> list_regions(Project& project, const std::string& day) {
+std::vector<RegionRow> list_regions(Project& project, const std::string& day, Progress& progress) {
     const model::Record& record = project.record();
     const model::RecordIndex& index = project.index();
     const std::vector<double> areas = shown_areas(record);
+    const std::vector<RegionHeights> heights = heights_of_regions(project, progress);
     std::vector<RegionRow> rows;
     for (const std::size_t i : regions_in_order(record, index)) {
         const model::Region& region = record.regions[i];
@@ -60,7 +62,13 @@ std::vector<RegionRow> list_regions(Project& project, const std::string& day) {
             row.drawn = region.unit_as_drawn;
             row.near = proposed_numbers(record, region.unit_as_drawn);
         }
-        if (const std::vector<double> z = outline_heights(region); !z.empty()) {
+        row.points = heights.at(i).points;
+        row.outside_scans = heights[i].outside_scans;
+        if (row.points > 0) {
+            row.z_min = heights[i].lowest;
+            row.z_median = heights[i].median;
+            row.z_max = heights[i].highest;
+        } else if (const std::vector<double> z = outline_heights(region); !z.empty()) {
             row.z_min = z.front();
             row.z_median = z[z.size() / 2];
             row.z_max = z.back();

@@ -20,7 +20,9 @@ struct RegionRow {
     double area = 0.0;       ///< what it shows: less the regions inside it and what another claims too [m²]
     double drawn_area = 0.0; ///< within its lines [m²]
     std::int64_t points = 0;
-    std::optional<double> z_min; ///< of its points, else of its outline [m]; unset: neither has heights
+    bool outside_scans = false; ///< there are registered scans of its day, and none shows it
+    /// Of its points (see RegionHeights), else of its outline [m]; unset: neither has heights.
+    std::optional<double> z_min;
     std::optional<double> z_median;
     std::optional<double> z_max;
     std::string drawn;             ///< the number as drawn, where no unit has it
@@ -28,6 +30,7 @@ struct RegionRow {
 };
 
 /// All regions: by day, surface, unit. `day` empty: all days.
-[[nodiscard]] std::vector<RegionRow> list_regions(Project& project, const std::string& day);
+[[nodiscard]] std::vector<RegionRow> list_regions(Project& project, const std::string& day,
+                                                  Progress& progress = Progress::none());
 
 } // namespace planum::app
