@@ -45,8 +45,11 @@ TEST_CASE("a point store that is gone or damaged is made again from the original
     const fs::path store = store_path(site, scan);
     REQUIRE(fs::exists(store));
 
-    SECTION("gone") { fs::remove_all(scans_folder(site)); }
-    SECTION("no store") { write(store, "something else"); }
+    SECTION("gone") { REQUIRE(fs::remove_all(scans_folder(site)) > 0); }
+    SECTION("no store") {
+        write(store, "something else");
+        REQUIRE(fs::exists(store));
+    }
     const auto opened = open_store(site, scan, Progress::none());
     CHECK(opened->points() == 3);
     CHECK(opened->info().source_sha256 == scan.sha256);
