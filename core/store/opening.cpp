@@ -82,7 +82,7 @@ bool has_work(const ProjectFile::State& state, const SchemaFindings& findings, c
 }
 
 void migrate_forward(ProjectFile::State& state) {
-    migrate(state.database, state.version);
+    migrate(state.database, state.version, kSchemaVersion);
     state.report.notes.push_back(fmt::format("brought from schema version {} to {}", state.version, kSchemaVersion));
     state.version = read_schema_version(state.database);
 }
@@ -92,7 +92,6 @@ void repair(ProjectFile::State& state, const SchemaFindings& findings, const sql
     state.wait_for_check();
     if (header.wal) leave_write_ahead_mode(state);
     sqlite::Transaction transaction(state.database);
-    if (state.version < kSchemaVersion) migrate_forward(state);
     for (const std::string& layer : findings.rtree_tables) {
         drop_rtree(state.database, layer);
         state.report.notes.push_back(fmt::format("the spatial index of the layer {} was dropped: its triggers cannot "
@@ -104,6 +103,8 @@ void repair(ProjectFile::State& state, const SchemaFindings& findings, const sql
         state.report.notes.push_back(
             fmt::format("{} had been dropped by another program; it was put back", findings.missing_names[i]));
     }
+    // Last: the findings speak of the version that the file had.
+    if (state.version < kSchemaVersion) migrate_forward(state);
     transaction.commit();
 }
 
@@ -133,7 +134,7 @@ std::unique_ptr<ProjectFile::State> open_project(const std::filesystem::path& fi
     state->database.execute(writes ? kWriting : kReading);
     check_version(*state);
     state->start_check();
-    const SchemaFindings findings = examine_schema(state->database);
+    const SchemaFindings findings = examine_schema(state->database, state->version);
     state->report.import_only = !findings.import_only_because.empty();
     state->report.import_only_because = findings.import_only_because;
     if (writes && !state->report.import_only && has_work(*state, findings, header)) repair(*state, findings, header);

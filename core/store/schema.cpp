@@ -10,6 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/store/embedded_schema.hpp"
+#include "core/store/project_file.hpp"
 
 namespace planum::store {
 
@@ -202,11 +203,12 @@ const std::vector<std::string>& record_tables() {
     return tables;
 }
 
-void create_schema(const sqlite::Database& database) { migrate(database, 0); }
+void create_schema(const sqlite::Database& database) { migrate(database, 0, kSchemaVersion); }
 
-void migrate(const sqlite::Database& database, std::int64_t version) {
+void migrate(const sqlite::Database& database, std::int64_t version, std::int64_t last) {
     for (const EmbeddedMigration& migration : embedded_migrations()) {
-        if (number_of(migration) > version) database.execute(migration.sql);
+        const std::int64_t number = number_of(migration);
+        if (number > version && number <= last) database.execute(migration.sql);
     }
 }
 
@@ -221,9 +223,9 @@ std::int64_t read_schema_version(const sqlite::Database& database) {
     return *version;
 }
 
-SchemaFindings examine_schema(const sqlite::Database& database) {
+SchemaFindings examine_schema(const sqlite::Database& database, std::int64_t version) {
     const sqlite::Database reference = sqlite::Database::in_memory();
-    create_schema(reference);
+    migrate(reference, 0, version);
     const SchemaItems ours = read_items(reference);
     const SchemaItems theirs = read_items(database);
     SchemaFindings findings;

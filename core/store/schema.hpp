@@ -25,8 +25,8 @@ inline constexpr std::array<std::string_view, 5> kFeatureTables = {"region", "fi
 /// Makes all tables in an empty database: every migration in order.
 void create_schema(const sqlite::Database& database);
 
-/// Runs the migrations newer than `version`. Inside the caller's transaction.
-void migrate(const sqlite::Database& database, std::int64_t version);
+/// Runs the migrations newer than `version`, up to and with `last`. Inside the caller's transaction.
+void migrate(const sqlite::Database& database, std::int64_t version, std::int64_t last);
 
 /// Throws BadInput when there is none.
 [[nodiscard]] std::int64_t read_schema_version(const sqlite::Database& database);
@@ -39,9 +39,9 @@ struct SchemaFindings {
     std::vector<std::string> rtree_tables; ///< R-trees of the standard's form on our layers: layer names
 };
 
-/// Compares with a fresh reference in memory. Tables that are not ours are left out of it, as are the
-/// exact templates of the GeoPackage standard. Throws BadInput when a table of ours or a column is missing.
-[[nodiscard]] SchemaFindings examine_schema(const sqlite::Database& database);
+/// Compares with a fresh reference of schema `version` in memory. Tables that are not ours are left out of it, as are
+/// the exact templates of the GeoPackage standard. Throws BadInput when a table of ours or a column is missing.
+[[nodiscard]] SchemaFindings examine_schema(const sqlite::Database& database, std::int64_t version);
 
 /// Drops an R-tree index with its triggers and its entry in gpkg_extensions.
 void drop_rtree(const sqlite::Database& database, std::string_view layer);

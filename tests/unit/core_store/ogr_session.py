@@ -64,6 +64,7 @@ def main(path):
     step("read", lambda: read_everything(path))
     dataset = gdal.OpenEx(path, gdal.OF_VECTOR | gdal.OF_UPDATE)
     unit, region, level = (dataset.GetLayerByName(name) for name in ("unit", "region", "level"))
+    step("open for changing", lambda: f"{len(warnings)} warnings {warnings or ''}")
     unit_id = next(iter(unit))["uuid"]
     step("insert unit", lambda: add(unit, number="900", kind="cut"))
     step("insert unit without kind", lambda: add(unit, number="901"))

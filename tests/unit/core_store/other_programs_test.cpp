@@ -74,6 +74,7 @@ TEST_CASE("Through GDAL rows are added, changed and marked, and the rules hold")
     REQUIRE(output.status == 0);
     const auto said = [&](std::string_view text) { return output.text.find(text) != std::string::npos; };
     CHECK(said("read: 29 layers, some features, 0 warnings"));
+    CHECK(said("open for changing: 0 warnings"));
     CHECK(said("read again: 29 layers, some features, 0 warnings"));
     for (const char* done :
          {"insert unit: done", "insert unit without kind: done", "insert region: done", "insert level: done",

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/sqlite/database.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/core_store/filled_project.hpp"
 
@@ -266,4 +267,21 @@ TEST_CASE("A filled project verifies without a problem") {
     for (const VerifyProblem& problem : project.verify(Progress::none()))
         FAIL_CHECK(problem.where + ": " + problem.what);
     CHECK(project.verify(Progress::none()).empty());
+}
+
+TEST_CASE("What is marked together with a deleted record is found by index") {
+    const test::TemporaryFolder folder;
+    test::TestEnvironment environment;
+    (void)test::fill_project(folder / "site.gpkg", environment);
+    const sqlite::Database database = sqlite::Database::open(folder / "site.gpkg", sqlite::Access::ReadOnly);
+    const std::vector<std::pair<std::string, std::string>> taken_along = {
+        {"relation", "subject"},  {"relation", "object"}, {"relation_statement", "relation"},
+        {"group_member", "unit"}, {"level", "unit"},      {"dating", "unit"}};
+    for (const auto& [table, column] : taken_along) {
+        sqlite::Statement plan = database.prepare("EXPLAIN QUERY PLAN SELECT fid FROM " + table + " WHERE " + column +
+                                                  " = 'x' AND deleted_at IS NULL");
+        REQUIRE(plan.step());
+        INFO(table << "." << column);
+        CHECK(std::string{plan.text(3)}.starts_with("SEARCH"));
+    }
 }
