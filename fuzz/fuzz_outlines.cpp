@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Outlines as GeoJSON and as typed text: refused with an Error, or read; what was read is made sound or refused, and
-// what is sound stays so.
+// Outlines as GeoJSON, as pixel polygons and as typed text: refused with an Error, or read; what was read is made sound
+// or refused, and what is sound stays so.
 #include <cstdlib>
 #include <string_view>
 
 #include "app/regions/geojson_outlines.hpp"
 #include "app/regions/outline_text.hpp"
+#include "app/regions/pixel_outlines.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygon_overlay.hpp"
 
@@ -29,6 +30,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const auto& outline : planum::app::read_geojson_outlines(bytes).outlines) use(outline.shape);
     } catch (const planum::Error&) {
         // Refused in a sentence, which is what is wanted.
+    }
+    try {
+        for (const auto& picture : planum::app::read_pixel_outlines(bytes)) {
+            const planum::scans::Projection projection(picture.projection);
+            for (const auto& outline : picture.outlines) use(outline.shape);
+        }
+    } catch (const planum::Error&) {
+        // As above.
     }
     try {
         use(planum::app::parse_outline(bytes));

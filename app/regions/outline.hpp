@@ -25,6 +25,7 @@ struct DrawnOutline {
     std::string area;
     std::string day; ///< ISO date
     std::string surface;
+    model::SurfaceId on_surface;        ///< known already, whatever day and name say
     std::optional<SectionWish> section; ///< set: lies on a section, not on a surface
     bool on_plane = false;              ///< points are (metres along the section, height), not site coordinates
     model::RegionCategory category = model::RegionCategory::Unit;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/regions/geojson_outlines.hpp"
+#include "app/regions/pixel_outlines.hpp"
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_names.hpp"
 #include "app/scans/days_surface.hpp"
@@ -187,6 +188,9 @@ class Importer {
     }
 
     const model::Surface& surface_of(const DrawnOutline& drawn, model::AreaId area) {
+        for (const model::Surface& surface : record_.surfaces) {
+            if (!drawn.on_surface.is_nil() && surface.id == drawn.on_surface) return surface;
+        }
         std::string day = drawn.day;
         if (day.empty() && drawn.surface.empty()) day = options_.day;
         if (day.empty()) day = day_in(drawn.surface);
@@ -487,10 +491,14 @@ RegionImportReport import_outlines(Project& project, const OutlineFile& file, co
 }
 
 RegionImportReport import_outline_file(Project& project, const std::filesystem::path& file,
-                                       const RegionImportOptions& options) {
+                                       const RegionImportOptions& options, Progress& progress) {
     constexpr std::uintmax_t kLargest = 256ULL << 20U;
     try {
-        return import_outlines(project, read_geojson_outlines(read_file(file, kLargest)), options);
+        const std::string bytes = read_file(file, kLargest);
+        const OutlineFile outlines = is_pixel_outlines(bytes)
+                                         ? outlines_from_pixels(project, read_pixel_outlines(bytes), progress)
+                                         : read_geojson_outlines(bytes);
+        return import_outlines(project, outlines, options);
     } catch (Error& e) {
         e.add_context(file.filename().string());
         throw;

@@ -134,4 +134,33 @@ void take_heights(MultiPolygon& shape, const MultiPolygon& source) {
     }
 }
 
+Line3 simplified(const Line3& line, double tolerance) {
+    if (line.size() < 3) return line;
+    std::vector<bool> kept(line.size(), false);
+    kept.front() = kept.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> open = {{0, line.size() - 1}};
+    while (!open.empty()) {
+        const auto [from, to] = open.back();
+        open.pop_back();
+        double farthest2 = tolerance * tolerance;
+        std::size_t at = 0;
+        for (std::size_t i = from + 1; i < to; ++i) {
+            NearestOnEdge chord;
+            chord.offer(line[from], line[to], line[i][0], line[i][1]);
+            if (chord.distance2 <= farthest2) continue;
+            farthest2 = chord.distance2;
+            at = i;
+        }
+        if (at == 0) continue;
+        kept[at] = true;
+        open.emplace_back(from, at);
+        open.emplace_back(at, to);
+    }
+    Line3 rest;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (kept[i]) rest.push_back(line[i]);
+    }
+    return rest;
+}
+
 } // namespace planum::geometry

@@ -46,4 +46,8 @@ struct Extent {
 /// `source`, along the line; 0 where there is none.
 void take_heights(MultiPolygon& shape, const MultiPolygon& source);
 
+/// The line without points that lie closer than `tolerance` [m] to what remains, in plan (Douglas and Peucker 1973);
+/// both ends stay.
+[[nodiscard]] Line3 simplified(const Line3& line, double tolerance);
+
 } // namespace planum::geometry
