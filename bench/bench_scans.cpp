@@ -202,7 +202,7 @@ void bench_panorama(const Folder& folder) {
           ProjectionKind::Stereographic}) {
         PanoramaOptions options;
         options.projection.kind = kind;
-        options.close_gap = 0;
+        options.gaps.most_pixels = 0;
         std::uint64_t bytes = 0;
         std::uint64_t points = 0;
         double best = 1e9;

@@ -41,6 +41,7 @@ void print_json(const Context& context, const app::DemoJob& job, const Options& 
                    {"units", job.units},
                    {"scans", job.scans},
                    {"points", job.points},
+                   {"regions", job.regions},
                    {"errors", job.errors},
                    {"warnings", job.warnings},
                    {"project_with_mistakes", job.mistaken_project.string()},
@@ -66,8 +67,8 @@ void run_demo(const Context& context, const Options& options) {
            "  truth.json      what is true: poses, order, contacts, volumes, mistakes\n\n";
     out << "look at these next:\n";
     for (const auto& file : job.drawings) out << "  " << file.string() << '\n';
-    out << fmt::format("  planum check {}\n  planum today {}\n  planum info {}\n", job.mistaken_project.string(),
-                       job.project.string(), job.project.string());
+    out << fmt::format("  planum check {}\n  planum today {}\n  planum scan list {}\n  planum region list {}\n",
+                       job.mistaken_project.string(), job.project.string(), job.project.string(), job.project.string());
 }
 
 } // namespace

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "app/demo/demo_job.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "app/checks/daily_check.hpp"
 #include "app/drawing/draw_matrix.hpp"
 #include "app/import/import_service.hpp"
+#include "app/regions/region_import.hpp"
 #include "app/reports/report.hpp"
 #include "app/scans/add_scans.hpp"
 #include "app/scans/days_surface.hpp"
+#include "app/scans/list_scans.hpp"
+#include "app/scans/panorama_file.hpp"
 #include "core/base/file.hpp"
 #include "strat/layout/svg_writer.hpp"
 
@@ -37,6 +41,24 @@ std::vector<fs::path> day_folders(const fs::path& folder) {
     return days;
 }
 
+// What the draughtsman drew, day by day.
+std::size_t import_outlines_of(Project& project, const fs::path& folder, Progress& progress) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder / "outlines")) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::size_t regions = 0;
+    for (const fs::path& file : files) regions += import_outline_file(project, file, {}, progress).fresh.size();
+    return regions;
+}
+
+// One scan of the last day, unrolled: there most lies bare.
+fs::path write_panorama_of(Project& project, const fs::path& folder, Progress& progress) {
+    const std::vector<ListedScan> scans = list_scans(project);
+    fs::path file = folder / "panorama.png";
+    write_scan_panorama(project, scans.back().scan, file, {}, progress);
+    return file;
+}
+
 } // namespace
 
 DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& options, const Session& session,
@@ -53,6 +75,8 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
     Project project = project_of(job.project, folder / "record", options.method, session, progress);
     job.units = project.record().units.size();
     add_scans(project, day_folders(folder), {}, progress);
+    progress.step("taking the outlines in");
+    job.regions = import_outlines_of(project, folder, progress);
     const DailyCheck check = check_project(project, {}, progress);
     job.errors = check.count(model::Severity::Error);
     job.warnings = check.count(model::Severity::Warning);
@@ -70,6 +94,7 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
     write_file_atomically(job.drawings[0], strat::write_svg(draw_matrix(project, request, measure, progress)));
     write_report(project, job.drawings[1], {}, measure, progress);
     write_report(project, job.drawings[2], {}, measure, progress);
+    job.drawings.push_back(write_panorama_of(project, folder, progress));
     return job;
 }
 

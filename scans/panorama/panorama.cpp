@@ -34,6 +34,7 @@ void PanoramaBuilder::add(const PointBlock& block) {
         p.ranges_.reserve(room);
         p.sources_.reserve(room);
     }
+    const bool keep_grid = p.has_.grid && p.options_.gaps.most_pixels > 0;
     for (std::size_t i = 0; i < block.size(); ++i) {
         if (block.validity[i] != Validity::Valid) continue;
         const std::uint64_t source = added_++;
@@ -49,41 +50,10 @@ void PanoramaBuilder::add(const PointBlock& block) {
         p.sources_.push_back(static_cast<std::uint32_t>(source));
         if (p.has_.intensity) p.intensities_.push_back(block.intensity[i]);
         if (p.has_.colour) p.colours_.push_back(block.colour[i]);
+        if (!keep_grid) continue;
+        rows_.push_back(block.row[i]);
+        columns_.push_back(block.column[i]);
     }
-}
-
-// Gaps along rows, then along columns: between two pixels with points whose ranges agree.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> PanoramaBuilder::closed_gaps() const {
-    const Panorama& p = panorama_;
-    const auto width = static_cast<std::size_t>(p.width());
-    const auto height = static_cast<std::size_t>(p.height());
-    const auto gap = static_cast<std::size_t>(std::max(0, p.options_.close_gap));
-    constexpr std::uint32_t kNothing = 0xFFFFFFFF;
-    std::vector<std::uint32_t> front(width * height, kNothing);
-    for (std::uint32_t i = 0; i < pixels_.size(); ++i) {
-        std::uint32_t& best = front[pixels_[i]];
-        if (best == kNothing || p.ranges_[i] < p.ranges_[best]) best = i;
-    }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;
-    const auto close_line = [&](std::size_t start, std::size_t count, std::size_t stride) {
-        std::size_t last = count; // of the last filled one; count: none yet
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::uint32_t here = front[start + i * stride];
-            if (here == kNothing) continue;
-            const bool small = last != count && i - last > 1 && i - last - 1 <= gap;
-            if (small && agree(p.ranges_[front[start + last * stride]], p.ranges_[here], p.options_.close_agreement)) {
-                for (std::size_t k = last + 1; k < i; ++k) {
-                    const std::size_t nearer = k - last <= i - k ? last : i;
-                    closed.emplace_back(static_cast<std::uint32_t>(start + k * stride), front[start + nearer * stride]);
-                }
-            }
-            last = i;
-        }
-    };
-    for (std::size_t row = 0; row < height; ++row) close_line(row * width, width, 1);
-    for (const auto& [pixel, point] : closed) front[pixel] = point;
-    for (std::size_t column = 0; column < width; ++column) close_line(column, height, width);
-    return closed;
 }
 
 Panorama PanoramaBuilder::finish(Progress& progress) {
@@ -92,10 +62,11 @@ Panorama PanoramaBuilder::finish(Progress& progress) {
     const std::size_t pixels = static_cast<std::size_t>(p.width()) * static_cast<std::size_t>(p.height());
     std::vector<std::uint32_t> points(pixels_.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
-    if (p.options_.close_gap > 0) {
-        for (const auto& [pixel, point] : closed_gaps()) {
-            pixels_.push_back(pixel);
-            points.push_back(point);
+    if (p.options_.gaps.most_pixels > 0) {
+        const PicturePoints known{pixels_, p.places_, p.ranges_, rows_, columns_};
+        for (const ClosedPixel& closed : close_gaps(p.projection_, known, p.options_.gaps)) {
+            pixels_.push_back(closed.pixel);
+            points.push_back(closed.point);
         }
     }
     progress.check();
@@ -148,7 +119,7 @@ std::optional<Eigen::Vector3d> Panorama::surface_at(const Eigen::Vector2d& pixel
     const std::uint32_t nearest = *std::min_element(around.begin(), around.end(),
                                                     [&](std::uint32_t a, std::uint32_t b) { return off(a) < off(b); });
     std::erase_if(around,
-                  [&](std::uint32_t i) { return !agree(ranges_[i], ranges_[nearest], options_.close_agreement); });
+                  [&](std::uint32_t i) { return !agree(ranges_[i], ranges_[nearest], options_.gaps.agreement); });
     const Eigen::Vector3d along = *ray * static_cast<double>(ranges_[nearest]);
     if (around.size() < kFewestForPlane) return along;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -169,7 +140,7 @@ std::optional<Eigen::Vector3d> Panorama::surface_at(const Eigen::Vector2d& pixel
     const Eigen::Vector2d slope = normal.ldlt().solve(right_side);
     const Eigen::Vector2d to_axis(-centre.dot(side), -centre.dot(up));
     const double range = centre.dot(*ray) + slope.dot(to_axis);
-    return agree(static_cast<float>(range), ranges_[nearest], options_.close_agreement) ? *ray * range : along;
+    return agree(static_cast<float>(range), ranges_[nearest], options_.gaps.agreement) ? *ray * range : along;
 }
 
 } // namespace planum::scans

@@ -16,14 +16,16 @@
 #include "core/base/progress.hpp"
 #include "scans/formats/cloud_header.hpp"
 #include "scans/formats/point_block.hpp"
+#include "scans/panorama/gap_closing.hpp"
 #include "scans/panorama/projection.hpp"
 
 namespace planum::scans {
 
 struct PanoramaOptions {
     ProjectionOptions projection;
-    int close_gap = 3;             ///< empty pixels in a row or column that may be closed; 0: none
-    double close_agreement = 0.03; ///< so much may the ranges on both sides differ, as a share of the range
+    /// Holes that are closed; with most_pixels 0 none. Where the points come with the scanner's grid, what lies between
+    /// neighbours in it is closed too.
+    GapOptions gaps;
 };
 
 enum class Channel : std::uint8_t { Reflectance, Range, Colour, Normals };
@@ -125,11 +127,10 @@ class PanoramaBuilder {
     [[nodiscard]] Panorama finish(Progress& progress);
 
   private:
-    /// (pixel, point) of the pixels in gaps.
-    [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> closed_gaps() const;
-
     Panorama panorama_;
     std::vector<std::uint32_t> pixels_; ///< of each point
+    std::vector<std::uint32_t> rows_;   ///< of the scanner's grid, where gaps are closed along it
+    std::vector<std::uint32_t> columns_;
     std::uint64_t added_ = 0;
 };
 

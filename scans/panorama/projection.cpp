@@ -139,6 +139,16 @@ Projection::Projection(const ProjectionOptions& options) : options_(options) {
     scale_y_ = options.height / (plane_top_ - bottom);
 }
 
+ProjectionOptions with_square_pixels(ProjectionOptions options, double step, int most_width) {
+    const Projection whole(options); // only its plane is of interest, whatever its size in pixels
+    const double across = 2.0 * whole.plane_left_ * whole.views_;
+    const double up = options.height / whole.scale_y_;
+    const double pixel = std::max(step, across / most_width);
+    options.width = std::max(1, static_cast<int>(std::lround(across / pixel)));
+    options.height = std::max(1, static_cast<int>(std::lround(up / pixel)));
+    return options;
+}
+
 bool Projection::locate(double x, double y, double z, double& u, double& v) const noexcept {
     // To the right of the left border, 0 … 2π.
     double right = options_.azimuth_to - std::atan2(y, x);
@@ -158,6 +168,10 @@ bool Projection::locate(double x, double y, double z, double& u, double& v) cons
         v = (plane_top_ - p.y) * scale_y_;
     }
     return u >= 0.0 && u <= options_.width && v >= 0.0 && v <= options_.height;
+}
+
+int Projection::view_at(double u) const noexcept {
+    return std::min(static_cast<int>(u / (static_cast<double>(options_.width) / views_)), views_ - 1);
 }
 
 std::optional<Eigen::Vector2d> Projection::pixel_of(const Eigen::Vector3d& direction) const noexcept {
@@ -187,7 +201,7 @@ std::optional<Eigen::Vector3d> Projection::ray_of(const Eigen::Vector2d& pixel) 
                                std::sin(elevation));
     }
     const double strip = static_cast<double>(options_.width) / views_;
-    const int view = std::min(static_cast<int>(pixel.x() / strip), views_ - 1);
+    const int view = view_at(pixel.x());
     const Eigen::Vector3d own = backward({plane_left_ - (pixel.x() - view * strip) / scale_x_, height});
     // Corners of a stereographic or Pannini view may lie beyond its share of the horizon.
     if (std::abs(std::atan2(own.y(), own.x())) > view_angle_ / 2.0 + 1e-12) return std::nullopt;

@@ -42,6 +42,10 @@ struct ProjectionOptions {
     friend bool operator==(const ProjectionOptions&, const ProjectionOptions&) = default;
 };
 
+/// The same extent with `step` radians to a pixel, both ways, in the middle of a view or on the horizon. At least one
+/// pixel and at most `most_width` across; then pixels are larger. Throws Usage like Projection.
+[[nodiscard]] ProjectionOptions with_square_pixels(ProjectionOptions options, double step, int most_width);
+
 /// From directions to pixels and back. Pixels are continuous: the first one reaches from 0 to 1, u to the
 /// right, v downwards.
 class Projection {
@@ -57,10 +61,15 @@ class Projection {
     /// Direction of length 1 for a place in the picture; nullopt where there is none.
     [[nodiscard]] std::optional<Eigen::Vector3d> ray_of(const Eigen::Vector2d& pixel) const noexcept;
 
+    /// Which of the views side by side a place of the picture belongs to; 0 where there is only one.
+    [[nodiscard]] int view_at(double u) const noexcept;
+
     /// Index (row × width + column) of the pixel for (x, y, z), or -1. What panoramas are made with.
     [[nodiscard]] std::int64_t index_of(double x, double y, double z) const noexcept;
 
   private:
+    friend ProjectionOptions with_square_pixels(ProjectionOptions options, double step, int most_width);
+
     struct Plane {
         double x = 0.0;
         double y = 0.0;

@@ -41,6 +41,8 @@ mkdir -p 2025-06-01 && printf '1 2 3\n4 5 6\n' >2025-06-01/station1.xyz
 holds scan-add scan add site.gpkg 2025-06-01
 holds scan-add scan add site.gpkg 2025-06-01
 holds scan-list scan list site.gpkg
+holds panorama panorama site.gpkg 2025-06-01/station1 -o panorama.png --width 40
+holds demo demo dig --seed 3
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --dry-run
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --create-units
 holds region-list region list site.gpkg

@@ -123,7 +123,7 @@ TEST_CASE("Each point is in the list of its pixel and in no other, in every proj
         PanoramaOptions options;
         options.projection = small(kind);
         options.projection.height = 60; // fewer pixels than points, so that lists are long
-        options.close_gap = 0;
+        options.gaps.most_pixels = 0;
         const Panorama panorama = unroll(block, options);
         std::size_t listed = 0;
         for (int row = 0; row < 60; ++row) {
@@ -172,7 +172,7 @@ TEST_CASE("Small holes are closed where both sides agree in range, and have the 
     for (int row = 0; row < 100; ++row) empty_small += panorama.points_at(57, row).empty() ? 1U : 0U;
     CHECK(empty_small <= 4);                    // where wall and floor or ceiling meet
     CHECK(panorama.points_at(215, 55).empty()); // larger than what is closed
-    options.close_gap = 0;
+    options.gaps.most_pixels = 0;
     CHECK(unroll(holed, options).points_at(57, 50).empty());
     // A step in depth stays open.
     PointBlock step;
@@ -182,7 +182,7 @@ TEST_CASE("Small holes are closed where both sides agree in range, and have the 
     step.x = {left.x(), right.x()};
     step.y = {left.y(), right.y()};
     step.z = {left.z(), right.z()};
-    options.close_gap = 3;
+    options.gaps.most_pixels = 3;
     CHECK(unroll(step, options).filled() == 2);
 }
 
