@@ -53,9 +53,12 @@ void add_report_commands(CLI::App& root, Context& context) {
 
     auto data = std::make_shared<Options>();
     CLI::App* export_command = add_command(root, context, "export", "the record for other programs");
-    export_command->add_option("-o,--output", data->output, "file to write: .csv .json .lst .hmcx .graphml .dot")
+    export_command
+        ->add_option("-o,--output", data->output,
+                     "file to write: .csv .json .lst .hmcx .graphml .dot .geojson .ttl .xlsx .dxf .oxcal")
         ->required();
-    export_command->add_option("--format", data->format, "format, where the ending does not say (hmc-csv, hm, …)");
+    export_command->add_option("--format", data->format,
+                               "format, where the ending does not say (hmc-csv, hm, geojson-site, …)");
     export_command->add_option("--interpretation", data->interpretation, "this reading instead of the field record");
     export_command->callback([&context, data] { run_export(context, *data); });
 }

@@ -20,9 +20,9 @@ struct Exported {
     std::vector<std::string> lost;
 };
 
-/// Writes the record in the format that the ending names (lst, hmcx, csv, json, graphml, dot) or that was asked
-/// for. A format of several files puts them beside each other: `-o out.csv` gives `out-units.csv`,
-/// `out-relations.csv`, …. Throws Usage for an unknown ending, with those that are known.
+/// Writes the record in the format that the ending names (lst, hmcx, csv, json, graphml, dot, geojson, ttl, xlsx, dxf,
+/// oxcal) or that was asked for. A format of several files puts them beside each other: `-o out.csv` gives
+/// `out-units.csv`, `out-relations.csv`, …. Throws Usage for an unknown ending, with those that are known.
 Exported export_record(Project& project, const std::filesystem::path& file, const ExportOptions& options);
 
 } // namespace planum::app

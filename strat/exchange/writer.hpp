@@ -35,7 +35,7 @@ struct WriteOptions {
 struct Writer {
     std::string_view format; ///< the name its reader has
     std::string_view title;
-    std::string_view extension; ///< of the single file, or of the archive; empty: several files
+    std::string_view extension; ///< of the single file, or of the archive; empty: several files, or only by name
     Written (*write)(const model::Record& record, const WriteOptions& options);
 };
 

@@ -19,6 +19,13 @@ std::span<const Writer> all_writers() {
         Writer{"hm", "hm tables (contexts, observations, …)", "", write_hm_tables},
         Writer{"graphml", "yEd GraphML (.graphml)", "graphml", write_graphml},
         Writer{"dot", "Graphviz (.dot)", "dot", write_dot},
+        Writer{"geojson", "Regions, finds, levels, stations; longitude and latitude (.geojson)", "geojson",
+               write_geojson},
+        Writer{"geojson-site", "The same in the site grid", "", write_geojson_site},
+        Writer{"turtle", "RDF in CIDOC CRM and CRMarchaeo (.ttl)", "ttl", write_turtle},
+        Writer{"xlsx", "A spreadsheet, one sheet a kind (.xlsx)", "xlsx", write_xlsx},
+        Writer{"dxf", "DXF R12: outlines, levels, finds (.dxf)", "dxf", write_dxf},
+        Writer{"oxcal", "OxCal model: dates, phases, orders (.oxcal)", "oxcal", write_oxcal},
     };
     return writers;
 }

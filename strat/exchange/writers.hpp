@@ -14,5 +14,11 @@ namespace planum::strat {
 [[nodiscard]] Written write_dot(const model::Record& record, const WriteOptions& options);
 [[nodiscard]] Written write_planum_csv(const model::Record& record, const WriteOptions& options);
 [[nodiscard]] Written write_json(const model::Record& record, const WriteOptions& options);
+[[nodiscard]] Written write_geojson(const model::Record& record, const WriteOptions& options);
+[[nodiscard]] Written write_geojson_site(const model::Record& record, const WriteOptions& options);
+[[nodiscard]] Written write_turtle(const model::Record& record, const WriteOptions& options);
+[[nodiscard]] Written write_xlsx(const model::Record& record, const WriteOptions& options);
+[[nodiscard]] Written write_dxf(const model::Record& record, const WriteOptions& options);
+[[nodiscard]] Written write_oxcal(const model::Record& record, const WriteOptions& options);
 
 } // namespace planum::strat
