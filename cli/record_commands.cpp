@@ -104,7 +104,9 @@ void run_show(const Context& context, const RecordKind& kind, const std::string&
 
 void add_kind(CLI::App& root, Context& context, const RecordKind& kind) {
     const std::string word{kind.word()};
-    CLI::App* group = root.add_subcommand(word, "add, set, list, show or delete a " + word);
+    // "a unit" is said with a consonant, "an area" and "an interpretation" are not.
+    const char* article = std::string_view("aeio").find(word.front()) == std::string_view::npos ? "a" : "an";
+    CLI::App* group = root.add_subcommand(word, fmt::format("add, set, list, show or delete {} {}", article, word));
     group->require_subcommand(1);
     auto added = std::make_shared<Given>();
     CLI::App* add = add_verb(*group, context, kind, *added, "add", "add one", true);

@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 namespace {
 
 struct ImportArguments {
-    std::string file;
+    std::vector<std::string> files;
     app::RegionImportOptions options;
 };
 
@@ -95,8 +95,8 @@ void print_text(const Context& context, const app::RegionImportReport& report, b
 void run_import(const Context& context, const ImportArguments& arguments) {
     const auto mode = arguments.options.dry_run ? store::OpenMode::ReadOnly : store::OpenMode::ReadWrite;
     app::Project project = context.open(mode);
-    const app::RegionImportReport report =
-        app::import_outline_file(project, arguments.file, arguments.options, *context.progress);
+    const app::RegionImportReport report = app::import_outline_files(
+        project, {arguments.files.begin(), arguments.files.end()}, arguments.options, *context.progress);
     if (context.json) return context.print(to_json(report));
     print_text(context, report, arguments.options.dry_run);
 }
@@ -148,7 +148,10 @@ void add_region_commands(CLI::App& root, Context& context) {
     auto arguments = std::make_shared<ImportArguments>();
     CLI::App* import =
         add_command(*group, context, "import", "take outlines in: GeoJSON, or pixel polygons of panoramas");
-    import->add_option("FILE", arguments->file, "GeoJSON in site coordinates, or JSON of pixel polygons")->required();
+    import
+        ->add_option("FILE", arguments->files,
+                     "GeoJSON in site coordinates, or JSON of pixel polygons; several at once")
+        ->required();
     import->add_flag("--create-units", arguments->options.create_units, "make the units that the project has not yet");
     import->add_flag("--update", arguments->options.update, "redrawn outlines replace those of the project");
     import->add_flag("--dry-run", arguments->options.dry_run, "say what would be new; write nothing");

@@ -46,9 +46,7 @@ std::size_t import_outlines_of(Project& project, const fs::path& folder, Progres
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder / "outlines")) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    std::size_t regions = 0;
-    for (const fs::path& file : files) regions += import_outline_file(project, file, {}, progress).fresh.size();
-    return regions;
+    return import_outline_files(project, files, {}, progress).fresh.size();
 }
 
 // One scan of the last day, unrolled: there most lies bare.

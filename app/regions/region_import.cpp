@@ -453,6 +453,20 @@ class Importer {
     std::vector<std::pair<model::RegionId, UnknownNumber>> unknown_;
 };
 
+OutlineFile read_outlines(Project& project, const std::filesystem::path& file, Progress& progress) {
+    constexpr std::uintmax_t kLargest = 256ULL << 20U;
+    const std::string bytes = read_file(file, kLargest);
+    return is_pixel_outlines(bytes) ? outlines_from_pixels(project, read_pixel_outlines(bytes), progress)
+                                    : read_geojson_outlines(bytes);
+}
+
+// Of several files every place has to be said with its file.
+void say_file(OutlineFile& outlines, const std::string& name) {
+    const auto with_name = [&](std::string& where) { where = where.empty() ? name : name + ", " + where; };
+    for (DrawnOutline& outline : outlines.outlines) with_name(outline.where);
+    for (OutlineNote& note : outlines.notes) with_name(note.where);
+}
+
 } // namespace
 
 std::vector<std::string> proposed_numbers(const model::Record& record, const std::string& drawn) {
@@ -490,17 +504,25 @@ RegionImportReport import_outlines(Project& project, const OutlineFile& file, co
     return report;
 }
 
-RegionImportReport import_outline_file(Project& project, const std::filesystem::path& file,
-                                       const RegionImportOptions& options, Progress& progress) {
-    constexpr std::uintmax_t kLargest = 256ULL << 20U;
+RegionImportReport import_outline_files(Project& project, const std::vector<std::filesystem::path>& files,
+                                        const RegionImportOptions& options, Progress& progress) {
+    OutlineFile all;
+    for (const std::filesystem::path& file : files) {
+        const std::string name = file.filename().string();
+        try {
+            OutlineFile one = read_outlines(project, file, progress);
+            if (files.size() > 1) say_file(one, name);
+            std::move(one.outlines.begin(), one.outlines.end(), std::back_inserter(all.outlines));
+            std::move(one.notes.begin(), one.notes.end(), std::back_inserter(all.notes));
+        } catch (Error& e) {
+            e.add_context(name);
+            throw;
+        }
+    }
     try {
-        const std::string bytes = read_file(file, kLargest);
-        const OutlineFile outlines = is_pixel_outlines(bytes)
-                                         ? outlines_from_pixels(project, read_pixel_outlines(bytes), progress)
-                                         : read_geojson_outlines(bytes);
-        return import_outlines(project, outlines, options);
+        return import_outlines(project, all, options);
     } catch (Error& e) {
-        e.add_context(file.filename().string());
+        if (files.size() == 1) e.add_context(files.front().filename().string());
         throw;
     }
 }

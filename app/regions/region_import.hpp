@@ -61,9 +61,9 @@ struct RegionImportReport {
 /// Throws BadInput when not one of the outlines can be used.
 RegionImportReport import_outlines(Project& project, const OutlineFile& file, const RegionImportOptions& options);
 
-/// Reads a file of outlines (GeoJSON, or pixel polygons of panoramas) and takes it in.
-RegionImportReport import_outline_file(Project& project, const std::filesystem::path& file,
-                                       const RegionImportOptions& options, Progress& progress);
+/// Reads files of outlines (GeoJSON, or pixel polygons of panoramas) and takes them in together, as one step.
+RegionImportReport import_outline_files(Project& project, const std::vector<std::filesystem::path>& files,
+                                        const RegionImportOptions& options, Progress& progress);
 
 /// Issued numbers that an unknown one may stand for: one slip of the hand away, else the nearest in value.
 [[nodiscard]] std::vector<std::string> proposed_numbers(const model::Record& record, const std::string& drawn);

@@ -96,9 +96,9 @@ TEST_CASE("A polygon of a panorama comes to lie where its pixels lie on the grou
         fmt::format(R"({{"category": "spoil", "rings": [[{}], [{}]]}})", pixels_of(outer), pixels_of(hole));
     const std::string sky = R"({"category": "water", "rings": [[[10, 10], [40, 10], [20, 40]]]})";
     const auto file = folder.write("drawn.json", file_of(good + ", " + sky));
-    CHECK_THROWS_AS(app::import_outline_file(project, file, {}, Progress::none()), Error); // not registered yet
+    CHECK_THROWS_AS(app::import_outline_files(project, {file}, {}, Progress::none()), Error); // not registered yet
     place(project);
-    const auto report = app::import_outline_file(project, file, {}, Progress::none());
+    const auto report = app::import_outline_files(project, {file}, {}, Progress::none());
     CHECK(report.fresh == std::vector<std::string>{"2025-06-01/spoil#1"});
     REQUIRE(report.notes.size() == 1);
     CHECK(report.notes[0].message == "the corner at pixel 10 10 shows nothing");
