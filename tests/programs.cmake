@@ -12,6 +12,10 @@ planum_program_test(cli/real_sets cli python3 ${cli}/real_sets.py $<TARGET_FILE:
 planum_program_test(cli/kill_import cli python3 ${cli}/kill_import.py $<TARGET_FILE:planum> 10)
 planum_program_test(slow/kill_import_200 slow python3 ${cli}/kill_import.py $<TARGET_FILE:planum> 200)
 if(NOT PLANUM_SANITIZE)
+  set(programs $<TARGET_FILE:planum>)
+  if(TARGET planum-desktop)
+    list(APPEND programs $<TARGET_FILE:planum-desktop>)
+  endif()
   planum_program_test(architecture/linked_libraries unit
-    ${PROJECT_SOURCE_DIR}/tests/support/linked_libraries.sh $<TARGET_FILE:planum>)
+    ${PROJECT_SOURCE_DIR}/tests/support/linked_libraries.sh ${programs})
 endif()

@@ -30,6 +30,8 @@ const model::Decision* last_sign_off(const model::Record& record) {
     return last;
 }
 
+} // namespace
+
 DailyCheck check_record(const model::Record& record, Progress& progress) {
     strat::CheckResult result = run_checks(record, progress);
     DailyCheck check;
@@ -51,8 +53,6 @@ DailyCheck check_record(const model::Record& record, Progress& progress) {
                           [&](const model::Diagnostic& d) { return check.new_ids.contains(d.id); });
     return check;
 }
-
-} // namespace
 
 std::size_t DailyCheck::count(model::Severity severity) const noexcept {
     return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(),

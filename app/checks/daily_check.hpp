@@ -28,6 +28,9 @@ struct DailyCheck {
 /// Checks the field record, or an interpretation of it by name. Never writes.
 [[nodiscard]] DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress);
 
+/// The same of a record in memory, as a window has it.
+[[nodiscard]] DailyCheck check_record(const model::Record& record, Progress& progress);
+
 /// Keeps a problem silent until its units or evidence change. Throws NotFound when no undecided problem has
 /// the id, Usage without a reason.
 void accept_problem(Project& project, std::string_view id, std::string_view because, Progress& progress);

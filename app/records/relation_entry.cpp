@@ -37,21 +37,24 @@ SaidRelation parse_relation(Project& project, std::string_view sentence) {
                         "same_as, borders, later, earlier, contemporary, in English, German, Italian and French",
                         said_kind));
     }
-    std::size_t a = project.unit_named(first);
-    std::size_t b = project.unit_named(last);
+    const model::UnitIndex a = project.unit_named(first);
+    return said_relation(project.record(), a, *meaning, project.unit_named(last));
+}
+
+SaidRelation said_relation(const model::Record& record, model::UnitIndex a, model::DirectedKind kind,
+                           model::UnitIndex b) {
     SaidRelation said;
-    said.kind = meaning->kind;
-    if (meaning->inverse) {
+    said.kind = kind.kind;
+    if (kind.inverse) {
         std::swap(a, b);
         said.side = StatementSide::Object;
     }
-    const auto& units = project.record().units;
-    if (model::is_symmetric(said.kind) && text::natural_order(units[b].number, units[a].number) < 0) {
+    if (model::is_symmetric(said.kind) && text::natural_order(record.units[b].number, record.units[a].number) < 0) {
         std::swap(a, b);
         said.side = StatementSide::Object;
     }
-    said.subject = units[a].id;
-    said.object = units[b].id;
+    said.subject = record.units[a].id;
+    said.object = record.units[b].id;
     return said;
 }
 
@@ -84,11 +87,12 @@ std::string add_relation(Project& project, const RelationEntry& entry, std::stri
     return name;
 }
 
-std::vector<model::UnitId> would_close_cycle(Project& project, const SaidRelation& relation) {
-    const auto& record = project.record();
-    const auto matrix = strat::HarrisMatrix::build(record);
-    const auto prediction = strat::predict(
-        matrix, {project.index().find(relation.subject), relation.kind, project.index().find(relation.object)});
+namespace {
+
+std::vector<model::UnitId> cycle_closed(const model::Record& record, const model::RecordIndex& index,
+                                        const strat::HarrisMatrix& matrix, const SaidRelation& relation) {
+    const auto prediction =
+        strat::predict(matrix, {index.find(relation.subject), relation.kind, index.find(relation.object)});
     if (prediction.consequence == strat::Consequence::None) return {};
     std::vector<model::UnitId> cycle = {relation.subject};
     for (const std::uint32_t order : prediction.path) {
@@ -96,6 +100,17 @@ std::vector<model::UnitId> would_close_cycle(Project& project, const SaidRelatio
         if (unit != cycle.back()) cycle.push_back(unit);
     }
     return cycle;
+}
+
+} // namespace
+
+std::vector<model::UnitId> would_close_cycle(Project& project, const SaidRelation& relation) {
+    const auto matrix = strat::HarrisMatrix::build(project.record());
+    return cycle_closed(project.record(), project.index(), matrix, relation);
+}
+
+std::vector<model::UnitId> would_close_cycle(const Snapshot& snapshot, const SaidRelation& relation) {
+    return cycle_closed(snapshot.record(), snapshot.index(), snapshot.matrix(), relation);
 }
 
 } // namespace planum::app

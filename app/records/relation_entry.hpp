@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/project/project.hpp"
+#include "app/project/snapshot.hpp"
 #include "core/model/relation.hpp"
 
 namespace planum::app {
@@ -35,5 +36,11 @@ std::string add_relation(Project& project, const RelationEntry& entry, std::stri
 /// The units of a cycle that the relation would close, from its subject over the path that leads back to it;
 /// empty when it closes none. Same_as and contemporary between units that a path orders count, too.
 [[nodiscard]] std::vector<model::UnitId> would_close_cycle(Project& project, const SaidRelation& relation);
+/// The same while somebody types: nothing is built, so the answer comes in microseconds.
+[[nodiscard]] std::vector<model::UnitId> would_close_cycle(const Snapshot& snapshot, const SaidRelation& relation);
+
+/// Turns what was said from one of the two units (`a` is cut by `b`) into the form it is stored in.
+[[nodiscard]] SaidRelation said_relation(const model::Record& record, model::UnitIndex a, model::DirectedKind kind,
+                                         model::UnitIndex b);
 
 } // namespace planum::app

@@ -5,8 +5,8 @@ namespace planum::store {
 
 namespace {
 
-constexpr std::string_view kSelectHistory =
-    "SELECT fid, label, author, made_at, state <> 'done' FROM planum_change ORDER BY fid DESC LIMIT :most";
+constexpr std::string_view kSelectHistory = "SELECT fid, label, author, made_at, state <> 'done', state = 'dropped' "
+                                            "FROM planum_change ORDER BY fid DESC LIMIT :most";
 // No index on the record: the log is written far more often than it is read.
 constexpr std::string_view kSelectLog =
     "SELECT made_at, author, action, table_name, record, field, old_value, new_value, change FROM planum_log "
@@ -26,7 +26,7 @@ std::vector<ChangeEntry> ProjectFile::history(std::size_t most) const {
     std::vector<ChangeEntry> entries;
     while (rows.step()) {
         entries.push_back({rows.integer(0), std::string{rows.text(1)}, std::string{rows.text(2)},
-                           std::string{rows.text(3)}, rows.integer(4) != 0});
+                           std::string{rows.text(3)}, rows.integer(4) != 0, rows.integer(5) != 0});
     }
     return entries;
 }

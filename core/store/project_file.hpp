@@ -43,6 +43,7 @@ struct ChangeEntry {
     std::string author;
     std::string made_at;
     bool undone = false;
+    bool dropped = false; ///< undone, and something else was done since: redo cannot bring it back
 };
 
 /// One logged row: an inserted record, or one changed field.

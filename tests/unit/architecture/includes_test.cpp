@@ -79,7 +79,18 @@ std::string library_of(const std::string& header) {
         {std::regex("nanoflann\\.hpp"), "nanoflann"},
         {std::regex("png\\.h"), "png"},
         {std::regex("(jpeglib|jerror)\\.h"), "jpeg"},
-        {std::regex("Q(Widget|MainWindow|Dialog|Application|DockWidget|.*View|.*Button|.*Edit|OpenGL.*)"), "qtwidgets"},
+        {std::regex("Q(OpenGLWidget|.*Widget|MainWindow|.*Dialog|MessageBox|Application|.*View|.*Button|.*Edit|"
+                    "ComboBox|CheckBox|.*SpinBox|Slider|Splitter|ScrollArea|AbstractScrollArea|(.*Box|Grid|Form|"
+                    "Stacked)?Layout|Menu|MenuBar|"
+                    "ToolBar|ToolTip|StatusBar|Label|Frame|Completer|Style|StyleFactory|.*ItemDelegate|HeaderView|"
+                    "ProgressBar|Shortcut|ScrollBar|ScrollerProperties|Scroller|GraphicsItem|GraphicsScene)"),
+         "qtwidgets"},
+        {std::regex("QOpenGL.*"), "opengl"},
+        {std::regex("Q(Object|String|StringList|Abstract.*Model|ModelIndex|SortFilterProxyModel|Timer|Thread.*|Variant|"
+                    "Hash|List|DateTime|Date|Settings|StandardPaths|File|FileInfo|FileSystemWatcher|Dir|Event|"
+                    "EventLoop|CoreApplication|Pointer|MetaObject|Point|PointF|Rect|RectF|Size|SizeF|Locale|"
+                    "Translator|ElapsedTimer|XmlStreamReader|Url|Mutex|ByteArray|LibraryInfo|t)|Qt[A-Z].*|Qt"),
+         "qtcore"},
         {std::regex("Q[A-Z].*"), "qtgui"},
     };
     for (const auto& [pattern, library] : table) {
@@ -104,9 +115,11 @@ std::vector<std::string> violations(const Layers& layers, const std::string& pat
             continue;
         }
         const std::string library = library_of(header);
-        // fmt is everybody's; qtwidgets brings qtgui along.
+        // fmt is everybody's; qtwidgets brings qtgui along, and that qtcore.
         if (library.empty() || library == "fmt" || layer.third.count(library) > 0) continue;
-        if (library == "qtgui" && layer.third.count("qtwidgets") > 0) continue;
+        const bool has_widgets = layer.third.count("qtwidgets") > 0;
+        if (library == "qtgui" && has_widgets) continue;
+        if (library == "qtcore" && (has_widgets || layer.third.count("qtgui") > 0)) continue;
         bad.push_back(path + " includes <" + header + ">");
     }
     return bad;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gui/viewmodels/problem_list_model.hpp"
+#include "gui/viewmodels/relation_entry_model.hpp"
+#include "gui/viewmodels/unit_card_model.hpp"
+#include "gui/viewmodels/unit_list_model.hpp"
+#include "gui/viewmodels/workspace.hpp"
+
+namespace planum::gui {
+
+/// What every view of one window may use. A view with a model of its own makes it itself.
+struct Models {
+    explicit Models(const app::Session& session = {}) : workspace(session) {
+        QObject::connect(&problems, &ProblemListModel::checked, &units,
+                         [this] { units.set_problems(problems.check().problems); });
+    }
+
+    Workspace workspace;
+    UnitListModel units{workspace};
+    UnitCardModel card{workspace};
+    RelationEntryModel entry{workspace};
+    ProblemListModel problems{workspace};
+};
+
+} // namespace planum::gui

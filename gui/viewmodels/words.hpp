@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <string>
+#include <string_view>
+
+#include "core/model/diagnostic.hpp"
+#include "core/model/measured.hpp"
+#include "core/model/relation.hpp"
+#include "core/model/unit.hpp"
+
+namespace planum::gui {
+
+[[nodiscard]] QString qt(std::string_view utf8);
+
+// Words of the record in the language of the window.
+
+/// `fill`, `masonry`, `cut`: the form where there is one, else the kind; empty for unknown.
+[[nodiscard]] QString kind_word(model::UnitKind kind, model::UnitForm form);
+[[nodiscard]] QString status_word(model::UnitStatus status);
+/// `covers`, or read from the other side `covered by`.
+[[nodiscard]] QString relation_word(model::DirectedKind kind);
+[[nodiscard]] QString severity_word(model::Severity severity);
+[[nodiscard]] QString level_word(model::LevelRole role);
+/// What a check is about, from its code: `cycle` → "Cycle".
+[[nodiscard]] QString check_title(std::string_view code);
+
+} // namespace planum::gui

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "gui/viewmodels/workspace.hpp"
+
+#include <QFileSystemWatcher>
+#include <QTimer>
+
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+#include "gui/viewmodels/words.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+const QString kRecordLane = QStringLiteral("record");
+constexpr int kLookAfter = 400; // [ms] after the file system spoke
+
+} // namespace
+
+// Lives in the record lane only; the window's thread just holds on to it.
+struct Workspace::Holder {
+    std::optional<app::Project> project;
+    store::OpenMode mode = store::OpenMode::ReadWrite;
+    std::filesystem::file_time_type seen;
+
+    void note_time() {
+        std::error_code ignored;
+        seen = std::filesystem::last_write_time(project->path(), ignored);
+    }
+};
+
+Workspace::Workspace(app::Session session, QObject* parent)
+    : QObject(parent), session_(std::move(session)), watcher_(new QFileSystemWatcher(this)),
+      look_soon_(new QTimer(this)) {
+    look_soon_->setSingleShot(true);
+    look_soon_->setInterval(kLookAfter);
+    connect(look_soon_, &QTimer::timeout, this, &Workspace::look_at_file);
+    connect(watcher_, &QFileSystemWatcher::fileChanged, look_soon_, qOverload<>(&QTimer::start));
+    connect(watcher_, &QFileSystemWatcher::directoryChanged, look_soon_, qOverload<>(&QTimer::start));
+}
+
+Workspace::~Workspace() = default;
+
+void Workspace::open(const std::filesystem::path& file, store::OpenMode mode) {
+    close();
+    file_ = std::filesystem::absolute(file);
+    holder_ = std::make_shared<Holder>();
+    holder_->mode = mode;
+    if (mode == store::OpenMode::ReadOnly) read_only_because_ = tr("opened for reading only");
+    start_opening(tr("Opening %1").arg(qt(file_.filename().string())),
+                  [path = file_, mode, session = session_] { return app::Project::open(path, mode, session); });
+}
+
+void Workspace::create(const std::filesystem::path& file, const model::ProjectSettings& settings) {
+    close();
+    file_ = std::filesystem::absolute(file);
+    holder_ = std::make_shared<Holder>();
+    start_opening(tr("Making %1").arg(qt(file_.filename().string())), [path = file_, settings, session = session_] {
+        return app::Project::create(path, settings, session);
+    });
+}
+
+void Workspace::start_opening(const QString& title, std::function<app::Project()> make) {
+    auto work = [this, holder = holder_, make = std::move(make)](Progress&) -> JobRunner::Done {
+        holder->project.emplace(make());
+        holder->note_time();
+        auto snapshot = app::take_snapshot(*holder->project);
+        const store::OpenReport report = holder->project->file().open_report();
+        return [this, holder, report, snapshot = std::move(snapshot)]() mutable {
+            if (holder != holder_) return; // another one was opened meanwhile
+            if (report.import_only) {
+                read_only_because_ = tr("this file may only be read: %1")
+                                         .arg(qt(fmt::format("{}", fmt::join(report.import_only_because, "; "))));
+            }
+            snapshot_ = std::move(snapshot);
+            watch();
+            emit opened();
+            emit snapshotChanged();
+            for (const std::string& note : report.notes) emit noted(qt(note));
+        };
+    };
+    jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, title, Job::Kind::Asked, std::move(work),
+                [this, holder = holder_](const QString& sentence) {
+                    if (holder != holder_) return;
+                    close();
+                    emit failed(sentence);
+                });
+}
+
+void Workspace::close() {
+    const bool was_open = is_open();
+    jobs_.cancel_all();
+    if (!watcher_->files().isEmpty()) watcher_->removePaths(watcher_->files());
+    if (!watcher_->directories().isEmpty()) watcher_->removePaths(watcher_->directories());
+    holder_.reset();
+    file_.clear();
+    read_only_because_.clear();
+    snapshot_.reset();
+    selected_ = {};
+    proof_ = {};
+    if (was_open) emit closed();
+}
+
+void Workspace::take(SnapshotPtr snapshot) {
+    snapshot_ = std::move(snapshot);
+    emit snapshotChanged();
+    if (!selected_.is_nil() && snapshot_->index().find(selected_) == model::kNoUnit) select({});
+}
+
+void Workspace::edit(const QString& title, Edit work, std::function<void()> done, Job::Kind kind) {
+    if (!is_open()) return;
+    if (!read_only_because_.isEmpty()) {
+        emit failed(tr("Nothing was changed: %1.").arg(read_only_because_));
+        return;
+    }
+    auto in_thread = [this, holder = holder_, work = std::move(work),
+                      done = std::move(done)](Progress& progress) -> JobRunner::Done {
+        work(*holder->project, progress);
+        holder->note_time();
+        return [this, holder, done, snapshot = app::take_snapshot(*holder->project)]() mutable {
+            if (holder != holder_) return;
+            take(std::move(snapshot));
+            if (done) done();
+        };
+    };
+    jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, title, kind, std::move(in_thread),
+                [this](const QString& sentence) { emit failed(sentence); });
+}
+
+void Workspace::read(const QString& lane, const QString& title, Reading work, JobRunner::Failed failed_call) {
+    if (!is_open()) return;
+    auto in_thread = [path = file_, session = session_, work = std::move(work)](Progress& progress) -> JobRunner::Done {
+        app::Project project = app::Project::open(path, store::OpenMode::ReadOnly, session);
+        progress.check();
+        return work(project, progress);
+    };
+    if (!failed_call) failed_call = [this](const QString& sentence) { emit failed(sentence); };
+    jobs_.start(lane, JobRunner::Queueing::Newest, title, Job::Kind::Quiet, std::move(in_thread),
+                std::move(failed_call));
+}
+
+void Workspace::undo() {
+    if (undo_label().isEmpty()) return;
+    edit(tr("Undo: %1").arg(undo_label()), [](app::Project& project, Progress&) { project.undo(); });
+}
+
+void Workspace::redo() {
+    if (redo_label().isEmpty()) return;
+    edit(tr("Redo: %1").arg(redo_label()), [](app::Project& project, Progress&) { project.redo(); });
+}
+
+QString Workspace::undo_label() const {
+    if (!is_open()) return {};
+    for (const store::ChangeEntry& change : snapshot_->changes) {
+        if (!change.undone) return qt(change.label);
+    }
+    return {};
+}
+
+QString Workspace::redo_label() const {
+    if (!is_open()) return {};
+    QString label;
+    for (const store::ChangeEntry& change : snapshot_->changes) {
+        if (change.undone && !change.dropped) label = qt(change.label); // the oldest of them comes first
+    }
+    return label;
+}
+
+void Workspace::select(model::UnitId unit) {
+    if (unit == selected_) return;
+    selected_ = unit;
+    emit selectionChanged();
+}
+
+void Workspace::show_proof(Proof proof) {
+    proof_ = std::move(proof);
+    emit proofChanged();
+}
+
+void Workspace::watch() {
+    watcher_->addPath(qt(file_.string()));
+    watcher_->addPath(qt(file_.parent_path().string()));
+}
+
+// Another program may have written the file, or taken it away.
+void Workspace::look_at_file() {
+    if (!is_open()) return;
+    std::error_code trouble;
+    if (!std::filesystem::exists(file_, trouble)) {
+        emit failed(tr("%1 is gone. What you see was read before; put the file back, or save a copy elsewhere.")
+                        .arg(qt(file_.string())));
+        return;
+    }
+    if (watcher_->files().isEmpty()) watcher_->addPath(qt(file_.string()));
+    auto work = [this, holder = holder_, path = file_, session = session_](Progress&) -> JobRunner::Done {
+        std::error_code ignored;
+        const auto now = std::filesystem::last_write_time(path, ignored);
+        if (now == holder->seen) return {};
+        holder->project.emplace(app::Project::open(path, holder->mode, session));
+        holder->note_time();
+        return [this, holder, snapshot = app::take_snapshot(*holder->project)]() mutable {
+            if (holder != holder_) return;
+            take(std::move(snapshot));
+            emit noted(tr("Another program changed the project; it was read again."));
+        };
+    };
+    jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, tr("Reading the project again"), Job::Kind::Quiet,
+                std::move(work), [this](const QString& sentence) { emit failed(sentence); });
+}
+
+} // namespace planum::gui

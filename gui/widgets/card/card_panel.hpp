@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+#include <string>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace planum::gui {
+
+struct CardField;
+struct Models;
+class RelationEntryBar;
+
+/// The record card: few fields first, the full record behind a button; relations with their entry; levels, finds and
+/// papers; what was changed. Everything is saved when a field is left.
+class CardPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit CardPanel(Models& models);
+
+    void show_full(bool full);
+
+  private:
+    void show_card();
+    void show_fields();
+    void show_relations();
+    void show_lines();
+    void show_history();
+    QWidget* editor_of(const CardField& field);
+
+    Models& models_;
+    QLabel* title_;
+    QLabel* subtitle_;
+    QLineEdit* new_number_;
+    QPushButton* more_;
+    QPushButton* delete_;
+    RelationEntryBar* entry_;
+    QWidget* fields_;
+    QWidget* relations_;
+    QWidget* lines_;
+    QLabel* history_;
+    QWidget* body_;
+    QLabel* nothing_;
+    bool full_ = false;
+    std::string shown_; ///< what the fields show, so that they are not rebuilt under somebody's hands
+};
+
+} // namespace planum::gui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/history/history_panel.hpp"
+
+#include <QHeaderView>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "gui/viewmodels/models.hpp"
+#include "gui/viewmodels/words.hpp"
+#include "gui/widgets/theme.hpp"
+
+namespace planum::gui {
+
+HistoryPanel::HistoryPanel(Models& models) : models_(models), table_(new QTableWidget(0, 3)) {
+    setObjectName(QStringLiteral("history"));
+    table_->setObjectName(QStringLiteral("historyTable"));
+    table_->setAccessibleName(tr("History"));
+    table_->setHorizontalHeaderLabels({tr("When"), tr("Who"), tr("What")});
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setShowGrid(false);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(theme().touch - 4);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table_->setColumnWidth(0, 150);
+    table_->setColumnWidth(1, 120);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(table_);
+    connect(&models_.workspace, &Workspace::snapshotChanged, this, &HistoryPanel::fill);
+    connect(&models_.workspace, &Workspace::closed, this, &HistoryPanel::fill);
+    fill();
+}
+
+void HistoryPanel::fill() {
+    table_->setRowCount(0);
+    if (!models_.workspace.is_open()) return;
+    const auto& changes = models_.workspace.snapshot()->changes;
+    table_->setRowCount(static_cast<int>(changes.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const store::ChangeEntry& change = changes[static_cast<std::size_t>(row)];
+        const QString when = qt(change.made_at).left(16).replace(QLatin1Char('T'), QLatin1Char(' '));
+        const QString what = change.undone ? tr("%1 (taken back)").arg(qt(change.label)) : qt(change.label);
+        int at = 0;
+        for (const QString& text : {when, qt(change.author), what}) {
+            auto* item = new QTableWidgetItem(text);
+            QFont font = item->font();
+            font.setStrikeOut(change.undone && at == 2);
+            item->setFont(font);
+            if (change.undone || at < 2) item->setForeground(theme().faint);
+            table_->setItem(row, at++, item);
+        }
+    }
+}
+
+} // namespace planum::gui

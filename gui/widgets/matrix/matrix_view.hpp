@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+#include "core/model/ids.hpp"
+#include "gui/viewmodels/matrix_model.hpp"
+#include "paint/font_measure.hpp"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace planum::gui {
+
+class MatrixCanvas;
+struct Models;
+
+/// The matrix with what chooses its part: all, around the selected unit, problems only, since a day; folded or not.
+class MatrixView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MatrixView(Models& models);
+
+    [[nodiscard]] MatrixModel& model() noexcept { return matrix_; }
+
+    [[nodiscard]] MatrixCanvas& canvas() noexcept { return *canvas_; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    void ask_again();
+    void offer_relation(model::UnitId from, model::UnitId to, const QPoint& at);
+    QWidget* make_bar();
+
+    Models& models_;
+    paint::FontTextMeasure text_;
+    MatrixModel matrix_;
+    MatrixCanvas* canvas_;
+    QComboBox* part_;
+    QComboBox* fold_;
+    QToolButton* titles_;
+    QLabel* count_;
+};
+
+} // namespace planum::gui

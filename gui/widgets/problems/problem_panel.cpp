@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/problems/problem_panel.hpp"
+
+#include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "gui/viewmodels/models.hpp"
+#include "gui/viewmodels/words.hpp"
+#include "gui/widgets/signs.hpp"
+#include "gui/widgets/theme.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+// Two lines: sign and title, then the sentence.
+class ProblemDelegate : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+        return {200, option.fontMetrics.lineSpacing() * 2 + 12};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        painter->save();
+        const bool selected = option.state.testFlag(QStyle::State_Selected);
+        if (selected) painter->fillRect(option.rect, theme().accent);
+        const auto severity = static_cast<model::Severity>(index.data(ProblemListModel::SeverityRole).toInt());
+        const QRect inner = option.rect.adjusted(10, 6, -10, -6);
+        const int line = option.fontMetrics.lineSpacing();
+        const double sign = line * 0.8;
+        paint_severity(*painter, QRectF(inner.left(), inner.top() + (line - sign) / 2.0, sign, sign), severity,
+                       selected ? theme().on_accent : QColor());
+        const int left = inner.left() + line + 4;
+        QFont bold = option.font;
+        bold.setWeight(QFont::DemiBold);
+        painter->setFont(bold);
+        painter->setPen(selected ? theme().on_accent : theme().ink);
+        QString title = index.data(ProblemListModel::TitleRole).toString();
+        if (index.data(ProblemListModel::NewRole).toBool()) title += ProblemListModel::tr("  · new");
+        painter->drawText(QRect(left, inner.top(), inner.right() - left, line), Qt::AlignVCenter, title);
+        painter->setFont(option.font);
+        painter->setPen(selected ? theme().on_accent : theme().faint);
+        const QString message = option.fontMetrics.elidedText(index.data(ProblemListModel::MessageRole).toString(),
+                                                              Qt::ElideRight, inner.right() - left);
+        painter->drawText(QRect(left, inner.top() + line, inner.right() - left, line), Qt::AlignVCenter, message);
+        painter->restore();
+    }
+};
+
+QLabel* label(const QString& text, const char* role = "") {
+    auto* made = new QLabel(text);
+    made->setProperty("role", role);
+    made->setWordWrap(true);
+    made->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return made;
+}
+
+ProblemPanel::Answer ask_in_dialog(QWidget* parent, const QString& what, bool wants_number) {
+    QDialog dialog(parent);
+    dialog.setWindowTitle(what);
+    auto* column = new QVBoxLayout(&dialog);
+    auto* because = new QLineEdit;
+    auto* number = new QLineEdit;
+    if (wants_number) {
+        column->addWidget(new QLabel(ProblemPanel::tr("Number of the new unit")));
+        column->addWidget(number);
+    }
+    column->addWidget(new QLabel(ProblemPanel::tr("Reason, for those who read it in ten years")));
+    column->addWidget(because);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Ok)->setText(what);
+    buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
+    const auto enough = [=] {
+        buttons->button(QDialogButtonBox::Ok)
+            ->setEnabled(!because->text().trimmed().isEmpty() &&
+                         (!wants_number || !number->text().trimmed().isEmpty()));
+    };
+    QObject::connect(because, &QLineEdit::textChanged, buttons, enough);
+    QObject::connect(number, &QLineEdit::textChanged, buttons, enough);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    column->addWidget(buttons);
+    dialog.resize(480, dialog.sizeHint().height());
+    if (dialog.exec() != QDialog::Accepted) return {};
+    return {because->text().trimmed(), number->text().trimmed()};
+}
+
+} // namespace
+
+ProblemPanel::ProblemPanel(Models& models)
+    : models_(models), ask_(ask_in_dialog), summary_(new QLabel), list_(new QListView), scroll_(new QScrollArea) {
+    setObjectName(QStringLiteral("problems"));
+    summary_->setObjectName(QStringLiteral("problemSummary"));
+    list_->setObjectName(QStringLiteral("problemList"));
+    list_->setAccessibleName(tr("Problems"));
+    list_->setModel(&models_.problems);
+    list_->setItemDelegate(new ProblemDelegate(list_));
+    list_->setUniformItemSizes(true);
+    list_->setMouseTracking(true);
+    connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
+        if (now.isValid()) models_.problems.open(now.row());
+    });
+    auto* remarks = new QCheckBox(tr("remarks too"));
+    remarks->setObjectName(QStringLiteral("problemRemarks"));
+    connect(remarks, &QCheckBox::toggled, &models_.problems, &ProblemListModel::set_with_remarks);
+    auto* sign_off = new QPushButton(tr("Sign the day off"));
+    sign_off->setObjectName(QStringLiteral("signOff"));
+    sign_off->setToolTip(tr("What stands now is not new tomorrow; it is signed with your name."));
+    connect(sign_off, &QPushButton::clicked, &models_.problems, &ProblemListModel::sign_off);
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(10, 6, 10, 6);
+    head->addWidget(summary_, 1);
+    head->addWidget(remarks);
+    head->addWidget(sign_off);
+    auto* left = new QWidget;
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(head);
+    column->addWidget(list_, 1);
+    scroll_->setWidgetResizable(true);
+    scroll_->setObjectName(QStringLiteral("problemDetail"));
+    auto* halves = new QSplitter;
+    halves->addWidget(left);
+    halves->addWidget(scroll_);
+    halves->setStretchFactor(0, 2);
+    halves->setStretchFactor(1, 3);
+    halves->setSizes({420, 640});
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(halves);
+    connect(&models_.problems, &ProblemListModel::checked, this, &ProblemPanel::show_summary);
+    connect(&models_.problems, &ProblemListModel::openedChanged, this, &ProblemPanel::show_detail);
+    show_summary();
+    show_detail();
+}
+
+void ProblemPanel::show_summary() {
+    if (!models_.workspace.is_open() || !models_.problems.is_checked()) {
+        summary_->setText(models_.workspace.is_open() ? tr("checking …") : QString());
+        return;
+    }
+    const auto& check = models_.problems.check();
+    QString text = models_.problems.summary();
+    if (!check.signed_off_at.empty()) {
+        text += tr("; signed off %1 by %2").arg(qt(check.signed_off_at).left(10), qt(check.signed_off_by));
+    }
+    summary_->setText(text);
+}
+
+void ProblemPanel::add_suspect(QVBoxLayout* column, std::size_t at, const SuspectLine& suspect) {
+    auto* head = new QHBoxLayout;
+    auto* sentence =
+        label(suspect.percent > 0 ? tr("%1   (%2 %)").arg(suspect.sentence).arg(suspect.percent) : suspect.sentence);
+    QFont bold = sentence->font();
+    bold.setWeight(QFont::DemiBold);
+    sentence->setFont(bold);
+    head->addWidget(sentence, 1);
+    const bool writable = models_.workspace.read_only_because().isEmpty();
+    for (const ProblemAction action : suspect.actions) {
+        auto* button = new QPushButton(action_word(action));
+        button->setEnabled(writable);
+        button->setObjectName(QStringLiteral("suspect%1action%2").arg(at).arg(static_cast<int>(action)));
+        connect(button, &QPushButton::clicked, this, [this, at, action] { act(at, action); });
+        head->addWidget(button);
+    }
+    column->addLayout(head);
+    for (const QString& why : suspect.reasons) column->addWidget(label(QStringLiteral("– ") + why, "faint"));
+}
+
+void ProblemPanel::show_detail() {
+    const ProblemDetail detail = models_.problems.detail();
+    if (models_.problems.opened() >= 0 && list_->currentIndex().row() != models_.problems.opened()) {
+        list_->setCurrentIndex(models_.problems.index(models_.problems.opened()));
+    }
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(14, 10, 14, 10);
+    column->setSpacing(6);
+    if (detail.id.isEmpty()) {
+        column->addWidget(
+            label(tr("Choose a problem: its proof shows in the matrix and in every other view."), "faint"));
+        for (const QString& line : models_.problems.coverage()) column->addWidget(label(line, "faint"));
+        column->addStretch(1);
+        scroll_->setWidget(page);
+        return;
+    }
+    auto* head = new QHBoxLayout;
+    head->addWidget(label(detail.title, "title"), 1);
+    auto* known = new QPushButton(tr("Known because …"));
+    known->setObjectName(QStringLiteral("acceptProblem"));
+    known->setEnabled(models_.workspace.read_only_because().isEmpty());
+    connect(known, &QPushButton::clicked, this, &ProblemPanel::accept);
+    head->addWidget(known, 0, Qt::AlignTop);
+    column->addLayout(head);
+    column->addWidget(label(detail.message));
+    if (!detail.suspects.empty()) column->addWidget(label(tr("What to doubt"), "heading"));
+    for (std::size_t i = 0; i < detail.suspects.size(); ++i) add_suspect(column, i, detail.suspects[i]);
+    if (!detail.proof.isEmpty()) {
+        column->addWidget(label(tr("Rests on"), "heading"));
+        column->addWidget(label(detail.proof.join(QStringLiteral(",  ")), "faint"));
+    }
+    if (!detail.evidence.isEmpty()) {
+        column->addWidget(label(tr("Numbers"), "heading"));
+        column->addWidget(label(detail.evidence.join(QStringLiteral("    ")), "faint"));
+    }
+    column->addStretch(1);
+    scroll_->setWidget(page);
+}
+
+void ProblemPanel::act(std::size_t suspect, ProblemAction action) {
+    const bool wants_number = action == ProblemAction::SplitUnit;
+    const Answer answer = ask_(this, action_word(action), wants_number);
+    if (answer.because.isEmpty() || (wants_number && answer.number.isEmpty())) return;
+    models_.problems.act(suspect, action, answer.because, answer.number);
+}
+
+void ProblemPanel::accept() {
+    const Answer answer = ask_(this, tr("Keep it silent"), false);
+    if (!answer.because.isEmpty()) models_.problems.accept(answer.because);
+}
+
+} // namespace planum::gui

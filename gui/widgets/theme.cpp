@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/theme.hpp"
+
+#include <QApplication>
+#include <QFont>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include <algorithm>
+
+namespace planum::gui {
+
+namespace {
+
+Theme light() {
+    Theme t;
+    t.kind = ThemeKind::Light;
+    t.window = QColor::fromRgb(0xf3f1ec);
+    t.paper = QColor::fromRgb(0xffffff);
+    t.ink = QColor::fromRgb(0x1d1c1a);
+    t.faint = QColor::fromRgb(0x65615a);
+    t.edge = QColor::fromRgb(0xd5d0c5);
+    t.accent = QColor::fromRgb(0x14627e);
+    t.on_accent = QColor::fromRgb(0xffffff);
+    t.error = QColor::fromRgb(0xb3101d);
+    t.warning = QColor::fromRgb(0x8a5a00);
+    t.remark = QColor::fromRgb(0x4d5d73);
+    return t;
+}
+
+Theme dark() {
+    Theme t;
+    t.kind = ThemeKind::Dark;
+    t.window = QColor::fromRgb(0x26272a);
+    t.paper = QColor::fromRgb(0x1b1c1f);
+    t.ink = QColor::fromRgb(0xe9e6df);
+    t.faint = QColor::fromRgb(0xa8a49b);
+    t.edge = QColor::fromRgb(0x43454a);
+    t.accent = QColor::fromRgb(0x5fb8d6);
+    t.on_accent = QColor::fromRgb(0x0e1a1f);
+    t.error = QColor::fromRgb(0xff7b76);
+    t.warning = QColor::fromRgb(0xe9b44c);
+    t.remark = QColor::fromRgb(0x9fb0c8);
+    return t;
+}
+
+Theme sunlight() {
+    Theme t;
+    t.kind = ThemeKind::Sunlight;
+    t.window = QColor::fromRgb(0xffffff);
+    t.paper = QColor::fromRgb(0xffffff);
+    t.ink = QColor::fromRgb(0x000000);
+    t.faint = QColor::fromRgb(0x000000);
+    t.edge = QColor::fromRgb(0x000000);
+    t.accent = QColor::fromRgb(0x003a8c);
+    t.on_accent = QColor::fromRgb(0xffffff);
+    t.error = QColor::fromRgb(0xa00000);
+    t.warning = QColor::fromRgb(0x6a3d00);
+    t.remark = QColor::fromRgb(0x00304f);
+    t.text_points = 12.5;
+    t.touch = 44;
+    return t;
+}
+
+Theme& current() {
+    static Theme one = light();
+    return one;
+}
+
+QPalette palette_of(const Theme& t) {
+    QPalette p;
+    p.setColor(QPalette::Window, t.window);
+    p.setColor(QPalette::WindowText, t.ink);
+    p.setColor(QPalette::Base, t.paper);
+    p.setColor(QPalette::AlternateBase, t.window);
+    p.setColor(QPalette::Text, t.ink);
+    p.setColor(QPalette::PlaceholderText, t.faint);
+    p.setColor(QPalette::Button, t.window);
+    p.setColor(QPalette::ButtonText, t.ink);
+    p.setColor(QPalette::ToolTipBase, t.paper);
+    p.setColor(QPalette::ToolTipText, t.ink);
+    p.setColor(QPalette::Highlight, t.accent);
+    p.setColor(QPalette::HighlightedText, t.on_accent);
+    p.setColor(QPalette::Link, t.accent);
+    p.setColor(QPalette::Mid, t.edge);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        QColor off = t.faint;
+        off.setAlphaF(t.kind == ThemeKind::Sunlight ? 0.55F : 0.7F);
+        p.setColor(QPalette::Disabled, role, off);
+    }
+    return p;
+}
+
+QString sheet_of(const Theme& t) {
+    QString sheet = QStringLiteral(R"(
+QMainWindow::separator { background: %edge; width: 1px; height: 1px; }
+QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
+QDockWidget::title { padding: 6px 10px; background: %window; }
+QToolBar { border: none; border-bottom: 1px solid %edge; spacing: 4px; padding: 4px 8px; background: %window; }
+QToolButton, QPushButton { min-height: %buttonpx; padding: 0 10px; border: 1px solid %edge; border-radius: 4px;
+  background: %paper; color: %ink; }
+QToolButton:hover, QPushButton:hover { border-color: %accent; }
+QToolButton:pressed, QPushButton:pressed, QToolButton:checked { background: %accent; color: %on; }
+QToolButton:disabled, QPushButton:disabled { color: %faint; background: %window; }
+QToolBar QToolButton { border-color: transparent; background: transparent; }
+QToolBar QToolButton:hover { border-color: %edge; background: %paper; }
+QLineEdit, QComboBox, QPlainTextEdit { border: 1px solid %edge; border-radius: 4px; padding: 2px 6px;
+  background: %paper; color: %ink; selection-background-color: %accent; selection-color: %on; }
+QLineEdit, QComboBox { min-height: %buttonpx; }
+QLineEdit:focus, QComboBox:focus, QPlainTextEdit:focus { border: 2px solid %accent; padding: 1px 5px; }
+QComboBox::drop-down { border: none; width: 18px; }
+QTableView, QListView, QTreeView { border: none; background: %paper; gridline-color: transparent; outline: none; }
+QHeaderView::section { background: %window; color: %faint; border: none; border-bottom: 1px solid %edge; padding: 5px 8px; }
+QTabBar::tab { padding: 7px 16px; background: transparent; color: %faint; border: none; border-bottom: 3px solid transparent; }
+QTabBar::tab:selected { color: %ink; border-bottom: 3px solid %accent; }
+QTabWidget::pane { border: none; border-top: 1px solid %edge; }
+QStatusBar { border-top: 1px solid %edge; background: %window; color: %faint; }
+QStatusBar::item { border: none; }
+QToolTip { border: 1px solid %edge; background: %paper; color: %ink; padding: 4px; }
+QScrollArea { border: none; background: %paper; }
+#card { background: %paper; }
+QLabel[role="heading"] { font-weight: 600; color: %faint; }
+QLabel[role="title"] { font-size: %titlept; font-weight: 600; }
+QLabel[role="faint"] { color: %faint; }
+QLabel[role="error"] { color: %error; }
+QLabel[role="warning"] { color: %warning; }
+QFrame[role="notice"] { background: %paper; border: 1px solid %error; border-left: 5px solid %error; border-radius: 4px; }
+QFrame[role="line"] { background: %edge; max-height: 1px; min-height: 1px; border: none; }
+)");
+    const auto put = [&](const char* key, const QString& value) { sheet.replace(QLatin1String(key), value); };
+    put("%titlept", QString::number(t.text_points * 1.3) + QStringLiteral("pt"));
+    put("%buttonpx", QString::number(t.touch - 8) + QStringLiteral("px"));
+    put("%on", t.on_accent.name());
+    put("%window", t.window.name());
+    put("%paper", t.paper.name());
+    put("%ink", t.ink.name());
+    put("%faint", t.faint.name());
+    put("%edge", t.edge.name());
+    put("%accent", t.accent.name());
+    put("%error", t.error.name());
+    put("%warning", t.warning.name());
+    return sheet;
+}
+
+} // namespace
+
+QColor Theme::drawn(std::uint32_t rgb) const {
+    const QColor colour = QColor::fromRgb(rgb);
+    if (kind == ThemeKind::Light) return colour;
+    float h = 0.0F;
+    float s = 0.0F;
+    float l = 0.0F;
+    colour.getHslF(&h, &s, &l);
+    if (kind == ThemeKind::Dark) return QColor::fromHslF(std::max(h, 0.0F), s * 0.9F, 0.92F - 0.81F * l);
+    if (s > 0.4F) return colour.darker(120); // a meaning: keep it
+    return l < 0.75F ? ink : paper;
+}
+
+const Theme& theme() noexcept { return current(); }
+
+void apply_theme(ThemeKind kind) {
+    current() = kind == ThemeKind::Light ? light() : kind == ThemeKind::Dark ? dark() : sunlight();
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(palette_of(theme()));
+    QFont font = QApplication::font();
+    font.setPointSizeF(theme().text_points);
+    QApplication::setFont(font);
+    qApp->setStyleSheet(sheet_of(theme()));
+}
+
+QString to_word(ThemeKind kind) {
+    switch (kind) {
+    case ThemeKind::Light: return QStringLiteral("light");
+    case ThemeKind::Dark: return QStringLiteral("dark");
+    case ThemeKind::Sunlight: return QStringLiteral("sunlight");
+    }
+    return {};
+}
+
+ThemeKind theme_from_word(const QString& word) noexcept {
+    if (word == QLatin1String("dark")) return ThemeKind::Dark;
+    if (word == QLatin1String("sunlight")) return ThemeKind::Sunlight;
+    return ThemeKind::Light;
+}
+
+} // namespace planum::gui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/view.hpp"
+
+#include <QCoreApplication>
+
+#include <array>
+
+#include "gui/widgets/card/card_panel.hpp"
+#include "gui/widgets/history/history_panel.hpp"
+#include "gui/widgets/matrix/matrix_view.hpp"
+#include "gui/widgets/problems/problem_panel.hpp"
+#include "gui/widgets/units/unit_panel.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+template<class View>
+QWidget* make(Models& models) {
+    return new View(models);
+}
+
+constexpr std::array kViews = {
+    ViewEntry{"units", QT_TRANSLATE_NOOP("views", "Units"), Place::Left, "Ctrl+1", make<UnitPanel>},
+    ViewEntry{"matrix", QT_TRANSLATE_NOOP("views", "Matrix"), Place::Centre, "Ctrl+2", make<MatrixView>},
+    ViewEntry{"card", QT_TRANSLATE_NOOP("views", "Record card"), Place::Right, "Ctrl+0", make<CardPanel>},
+    ViewEntry{"problems", QT_TRANSLATE_NOOP("views", "Problems"), Place::Bottom, "Ctrl+9", make<ProblemPanel>},
+    ViewEntry{"history", QT_TRANSLATE_NOOP("views", "History"), Place::Bottom, "Ctrl+H", make<HistoryPanel>},
+};
+
+} // namespace
+
+std::span<const ViewEntry> all_views() noexcept { return kViews; }
+
+QString view_title(const ViewEntry& view) { return QCoreApplication::translate("views", view.title); }
+
+} // namespace planum::gui

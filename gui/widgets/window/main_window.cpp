@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/window/main_window.hpp"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QKeySequence>
+#include <QLabel>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "gui/viewmodels/words.hpp"
+#include "gui/widgets/theme.hpp"
+#include "gui/widgets/view.hpp"
+#include "gui/widgets/window/job_sign.hpp"
+#include "gui/widgets/window/notice_bar.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+Qt::DockWidgetArea area_of(Place place) {
+    switch (place) {
+    case Place::Left: return Qt::LeftDockWidgetArea;
+    case Place::Right: return Qt::RightDockWidgetArea;
+    case Place::Bottom: return Qt::BottomDockWidgetArea;
+    case Place::Centre: break;
+    }
+    return Qt::NoDockWidgetArea;
+}
+
+} // namespace
+
+MainWindow::MainWindow(const app::Session& session)
+    : models_(session), notice_(new NoticeBar), tabs_(new QTabWidget), state_(new QLabel), problems_(new QLabel) {
+    setObjectName(QStringLiteral("window"));
+    resize(1600, 1000);
+    setDockNestingEnabled(true);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    auto* middle = new QWidget;
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(notice_);
+    column->addWidget(tabs_, 1);
+    tabs_->setDocumentMode(true);
+    setCentralWidget(middle);
+    make_actions();
+    make_views();
+    make_status();
+    Workspace& workspace = models_.workspace;
+    connect(&workspace, &Workspace::failed, notice_, &NoticeBar::say);
+    connect(&workspace, &Workspace::noted, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 10000); });
+    connect(&workspace, &Workspace::opened, notice_, &QWidget::hide);
+    for (const auto change : {&Workspace::opened, &Workspace::closed, &Workspace::snapshotChanged}) {
+        connect(&workspace, change, this, &MainWindow::refresh);
+    }
+    connect(&models_.problems, &ProblemListModel::checked, this, &MainWindow::refresh);
+    connect(&models_.entry, &RelationEntryModel::committed, this,
+            [this](const QString& sentence) { statusBar()->showMessage(tr("recorded: %1").arg(sentence), 6000); });
+    refresh();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::make_views() {
+    QDockWidget* last_below = nullptr;
+    for (const ViewEntry& entry : all_views()) {
+        QWidget* view = entry.make(models_);
+        views_[entry.name] = view;
+        auto* show = new QAction(view_title(entry), this);
+        show->setShortcut(QKeySequence(QString::fromLatin1(entry.shortcut)));
+        connect(show, &QAction::triggered, this, [this, name = entry.name] { show_view(name); });
+        findChild<QMenu*>(QStringLiteral("viewMenu"))->addAction(show);
+        if (entry.place == Place::Centre) {
+            tabs_->addTab(view, view_title(entry));
+            continue;
+        }
+        auto* dock = new QDockWidget(view_title(entry));
+        dock->setObjectName(QStringLiteral("dock_") + QString::fromLatin1(entry.name.data()));
+        dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+        dock->setWidget(view);
+        addDockWidget(area_of(entry.place), dock);
+        docks_[entry.name] = dock;
+        if (entry.place != Place::Bottom) continue;
+        if (last_below != nullptr) tabifyDockWidget(last_below, dock);
+        last_below = dock;
+    }
+    for (const auto& [name, dock] : docks_) {
+        if (name == "problems") dock->raise();
+    }
+    resizeDocks({docks_.at("units"), docks_.at("card")}, {390, 380}, Qt::Horizontal);
+    resizeDocks({docks_.at("problems")}, {350}, Qt::Vertical);
+}
+
+QAction* MainWindow::action(const char* name, const QString& text, const QKeySequence& keys) {
+    auto* made = new QAction(text, this);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setShortcut(keys);
+    made->setToolTip(keys.isEmpty() ? text
+                                    : QStringLiteral("%1 (%2)").arg(text, keys.toString(QKeySequence::NativeText)));
+    return made;
+}
+
+void MainWindow::make_actions() {
+    QAction* fresh = action("newProject", tr("New project …"), QKeySequence::New);
+    QAction* open_it = action("openProject", tr("Open …"), QKeySequence::Open);
+    QAction* look = action("openReadOnly", tr("Open for reading only …"), {});
+    QAction* quit = action("quit", tr("Quit"), QKeySequence::Quit);
+    undo_ = action("undo", tr("Undo"), QKeySequence::Undo);
+    redo_ = action("redo", tr("Redo"), QKeySequence::Redo);
+    QAction* find = action("find", tr("Find a unit"), QKeySequence::Find);
+    QAction* relate = action("relate", tr("Add a relation"), QKeySequence(QStringLiteral("Ctrl+R")));
+    connect(fresh, &QAction::triggered, this, &MainWindow::make_project);
+    connect(open_it, &QAction::triggered, this, [this] { ask_for_project(store::OpenMode::ReadWrite); });
+    connect(look, &QAction::triggered, this, [this] { ask_for_project(store::OpenMode::ReadOnly); });
+    connect(quit, &QAction::triggered, this, &QWidget::close);
+    connect(undo_, &QAction::triggered, &models_.workspace, &Workspace::undo);
+    connect(redo_, &QAction::triggered, &models_.workspace, &Workspace::redo);
+    connect(find, &QAction::triggered, this, [this] { show_view("units"); });
+    connect(relate, &QAction::triggered, this,
+            [this] { findChild<QWidget*>(QStringLiteral("relationEntry"))->setFocus(); });
+
+    QMenu* file = menuBar()->addMenu(tr("Project"));
+    file->addActions({fresh, open_it, look});
+    file->addSeparator();
+    file->addAction(quit);
+    QMenu* edit = menuBar()->addMenu(tr("Edit"));
+    edit->addActions({undo_, redo_, find, relate});
+    QMenu* view = menuBar()->addMenu(tr("View"));
+    view->setObjectName(QStringLiteral("viewMenu"));
+    QMenu* looks = menuBar()->addMenu(tr("Theme"));
+    for (const auto& [kind, text] : {std::pair{ThemeKind::Light, tr("Light")}, std::pair{ThemeKind::Dark, tr("Dark")},
+                                     std::pair{ThemeKind::Sunlight, tr("Sunlight")}}) {
+        looks->addAction(text, this, [kind = kind] { apply_theme(kind); });
+    }
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->addActions({open_it, undo_, redo_, find, relate});
+}
+
+void MainWindow::make_status() {
+    statusBar()->setSizeGripEnabled(false);
+    state_->setObjectName(QStringLiteral("state"));
+    statusBar()->addWidget(state_);
+    statusBar()->addPermanentWidget(new JobSign(models_.workspace.jobs()));
+    statusBar()->addPermanentWidget(problems_);
+}
+
+void MainWindow::refresh() {
+    Workspace& workspace = models_.workspace;
+    const bool open = workspace.is_open();
+    const QString undo = workspace.undo_label();
+    const QString redo = workspace.redo_label();
+    const bool writable = open && workspace.read_only_because().isEmpty();
+    const auto shortened = [](const QString& text) {
+        return text.size() > 34 ? text.left(32) + QStringLiteral("…") : text;
+    };
+    undo_->setEnabled(writable && !undo.isEmpty());
+    undo_->setText(undo.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(shortened(undo)));
+    undo_->setToolTip(undo);
+    redo_->setEnabled(writable && !redo.isEmpty());
+    redo_->setText(redo.isEmpty() ? tr("Redo") : tr("Redo: %1").arg(shortened(redo)));
+    redo_->setToolTip(redo);
+    if (!open) {
+        setWindowTitle(QStringLiteral("Planum"));
+        state_->setText(tr("no project open"));
+        problems_->clear();
+        return;
+    }
+    const model::Record& record = workspace.snapshot()->record();
+    const QString name = record.settings.name.empty() ? qt(workspace.file().stem().string()) : qt(record.settings.name);
+    setWindowTitle(QStringLiteral("%1 – Planum").arg(name));
+    QString state = tr("%1: %2 units, %3 relations").arg(name).arg(record.units.size()).arg(record.relations.size());
+    if (!workspace.read_only_because().isEmpty()) state += QStringLiteral("  ·  ") + workspace.read_only_because();
+    state_->setText(state);
+    problems_->setText(models_.problems.is_checked() ? models_.problems.summary() : QString());
+}
+
+void MainWindow::open(const std::filesystem::path& file, store::OpenMode mode) { models_.workspace.open(file, mode); }
+
+void MainWindow::ask_for_project(store::OpenMode mode) {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Open a project"), {}, tr("Planum projects (*.gpkg);;All files (*)"));
+    if (!file.isEmpty()) open(file.toStdString(), mode);
+}
+
+void MainWindow::make_project() {
+    QString file = QFileDialog::getSaveFileName(this, tr("New project"), {}, tr("Planum projects (*.gpkg)"));
+    if (file.isEmpty()) return;
+    if (!file.endsWith(QLatin1String(".gpkg"))) file += QStringLiteral(".gpkg");
+    model::ProjectSettings settings;
+    settings.name = std::filesystem::path(file.toStdString()).stem().string();
+    models_.workspace.create(file.toStdString(), settings);
+}
+
+QWidget* MainWindow::view(std::string_view name) const {
+    const auto it = views_.find(name);
+    return it == views_.end() ? nullptr : it->second;
+}
+
+void MainWindow::show_view(std::string_view name) {
+    QWidget* shown = view(name);
+    if (shown == nullptr) return;
+    const auto dock = docks_.find(name);
+    if (dock != docks_.end()) {
+        dock->second->show();
+        dock->second->raise();
+    } else {
+        tabs_->setCurrentWidget(shown);
+    }
+    shown->setFocus();
+}
+
+// Everything is saved already; what runs is stopped and leaves the project as it was.
+void MainWindow::closeEvent(QCloseEvent* event) {
+    models_.workspace.jobs().cancel_all();
+    event->accept();
+}
+
+} // namespace planum::gui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QMainWindow>
+
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "app/project/project.hpp"
+#include "gui/viewmodels/models.hpp"
+
+class QAction;
+class QDockWidget;
+class QLabel;
+class QTabWidget;
+
+namespace planum::gui {
+
+class NoticeBar;
+
+/// The one window: views in the middle as tabs, units at the left, the record card at the right, problems and
+/// history below, what is going on at the foot.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(const app::Session& session = {});
+    ~MainWindow() override;
+
+    void open(const std::filesystem::path& file, store::OpenMode mode);
+
+    [[nodiscard]] Models& models() noexcept { return models_; }
+
+    /// The view of that name; nullptr when there is none.
+    [[nodiscard]] QWidget* view(std::string_view name) const;
+    /// Brings it to the front.
+    void show_view(std::string_view name);
+
+    [[nodiscard]] NoticeBar& notice() noexcept { return *notice_; }
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+
+  private:
+    void make_views();
+    void make_actions();
+    void make_status();
+    void refresh();
+    void ask_for_project(store::OpenMode mode);
+    void make_project();
+    QAction* action(const char* name, const QString& text, const QKeySequence& keys);
+
+    Models models_;
+    NoticeBar* notice_;
+    QTabWidget* tabs_;
+    std::map<std::string_view, QWidget*> views_;
+    std::map<std::string_view, QDockWidget*> docks_;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
+    QLabel* state_;
+    QLabel* problems_;
+};
+
+} // namespace planum::gui

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/window/screenshot.hpp"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QPixmap>
+
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "core/base/text.hpp"
+#include "gui/widgets/view.hpp"
+#include "gui/widgets/window/main_window.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+constexpr int kPatience = 120'000; // [ms]
+
+void settle(MainWindow& window) {
+    for (int round = 0; round < 4; ++round) {
+        QApplication::processEvents();
+        if (!window.models().workspace.jobs().wait_until_idle(kPatience)) {
+            throw Error(ErrorCode::Io, "the window was still busy after two minutes");
+        }
+    }
+    QApplication::processEvents();
+}
+
+} // namespace
+
+void write_screenshot(MainWindow& window, const ScreenshotRequest& request) {
+    if (window.view(request.view) == nullptr) {
+        std::vector<std::string> names;
+        for (const ViewEntry& entry : all_views()) names.emplace_back(entry.name);
+        throw Error(ErrorCode::Usage,
+                    fmt::format("there is no view {}; there are {}", request.view, text::join(names, ", ")));
+    }
+    window.resize(request.width, request.height);
+    window.show();
+    settle(window);
+    Workspace& workspace = window.models().workspace;
+    if (!workspace.is_open()) return; // it said why
+    window.show_view(request.view);
+    if (!request.unit.empty()) {
+        const auto found = workspace.snapshot()->index().named(request.unit);
+        if (found.empty()) throw Error(ErrorCode::NotFound, "no unit " + request.unit);
+        workspace.select(workspace.snapshot()->record().units[found.front()].id);
+    }
+    settle(window);
+    if (request.view == "problems") window.models().problems.open(0);
+    settle(window);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    window.grab().save(&buffer, "PNG");
+    write_file_atomically(request.output, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+} // namespace planum::gui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace planum::gui {
+
+class MainWindow;
+
+struct ScreenshotRequest {
+    std::string view; ///< name of a view: what comes to the front
+    std::string unit; ///< selected first; empty: none
+    std::filesystem::path output;
+    int width = 1600; ///< [px]
+    int height = 1000;
+};
+
+/// Waits until the window has done its work, brings the view to the front and writes a PNG. Problems are shown with
+/// the first one open. Throws BadInput for an unknown view (with those there are) and Io.
+void write_screenshot(MainWindow& window, const ScreenshotRequest& request);
+
+} // namespace planum::gui

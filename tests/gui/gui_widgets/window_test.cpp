@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/window/main_window.hpp"
+
+#include <QApplication>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include <set>
+
+#include "gui/widgets/matrix/matrix_canvas.hpp"
+#include "gui/widgets/matrix/matrix_view.hpp"
+#include "gui/widgets/problems/problem_panel.hpp"
+#include "gui/widgets/theme.hpp"
+#include "gui/widgets/view.hpp"
+#include "gui/widgets/window/notice_bar.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gui_project.hpp"
+
+using namespace planum;
+using namespace planum::gui;
+using test::settle;
+
+namespace {
+
+void ensure_application() {
+    static int argc = 1;
+    static char name[] = "test";
+    static char* argv[] = {name, nullptr};
+    if (QCoreApplication::instance() == nullptr) new QApplication(argc, argv);
+    apply_theme(ThemeKind::Light);
+}
+
+struct Shown {
+    Shown() {
+        window.open(site.file, store::OpenMode::ReadWrite);
+        window.show();
+        settle(window.models().workspace);
+        settle(window.models().workspace); // what showing asked for
+    }
+
+    template<class Widget>
+    Widget* find(const char* name) {
+        auto* widget = window.findChild<Widget*>(QString::fromLatin1(name));
+        REQUIRE(widget != nullptr);
+        return widget;
+    }
+
+    void settle_all() {
+        settle(window.models().workspace);
+        settle(window.models().workspace);
+    }
+
+    [[nodiscard]] std::string selected() {
+        Workspace& workspace = window.models().workspace;
+        return workspace.selected().is_nil() ? "" : workspace.snapshot()->index().name(workspace.selected());
+    }
+
+    struct First {
+        First() { ensure_application(); }
+    } first;
+
+    test::GuiProject site;
+    MainWindow window{app::Session{"Ada"}};
+};
+
+} // namespace
+
+TEST_CASE("Typing a number in the list and Enter selects the unit everywhere") {
+    Shown shown;
+    auto* search = shown.find<QLineEdit>("unitSearch");
+    QTest::keyClicks(search, QStringLiteral("2"));
+    QTest::keyClick(search, Qt::Key_Return);
+    shown.settle_all();
+    CHECK(shown.selected() == "2");
+    CHECK(shown.find<QLabel>("cardTitle")->text().contains(QLatin1Char('2')));
+    auto* matrix = dynamic_cast<MatrixView*>(shown.window.view("matrix"));
+    REQUIRE(matrix != nullptr);
+    CHECK(matrix->model().selected_box().has_value());
+}
+
+TEST_CASE("A relation is entered by keys alone: number, Enter, kind, Enter, number, Enter") {
+    Shown shown;
+    auto* subject = shown.find<QLineEdit>("relationSubject");
+    auto* kind = shown.find<QLineEdit>("relationKind");
+    auto* object = shown.find<QLineEdit>("relationObject");
+    subject->clear();
+    QTest::keyClicks(subject, QStringLiteral("1"));
+    QTest::keyClick(subject, Qt::Key_Return);
+    QTest::keyClicks(kind, QStringLiteral("co"));
+    QTest::keyClick(kind, Qt::Key_Return);
+    CHECK(kind->text() == QStringLiteral("covers"));
+    QTest::keyClicks(object, QStringLiteral("3"));
+    QTest::keyClick(object, Qt::Key_Return);
+    shown.settle_all();
+    CHECK(shown.window.models().workspace.snapshot()->record().relations.size() == 3);
+    CHECK(object->text().isEmpty());
+    CHECK(subject->text() == QStringLiteral("1"));
+}
+
+TEST_CASE("A click on a box selects its unit; a drag to another box wants a relation") {
+    Shown shown;
+    auto* matrix = dynamic_cast<MatrixView*>(shown.window.view("matrix"));
+    REQUIRE(matrix != nullptr);
+    REQUIRE(matrix->model().drawing() != nullptr);
+    MatrixCanvas& canvas = matrix->canvas();
+    const QPoint first = canvas.box_on_screen(0).center().toPoint();
+    const QPoint second = canvas.box_on_screen(1).center().toPoint();
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, first);
+    CHECK(shown.selected() == matrix->model().drawing()->boxes[0].names.front());
+    QSignalSpy wanted(&canvas, &MatrixCanvas::relationWanted);
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, first);
+    QTest::mouseMove(&canvas, second);
+    QMouseEvent move(QEvent::MouseMove, second, canvas.mapToGlobal(second), Qt::LeftButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&canvas, &move);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, second);
+    CHECK(wanted.count() == 1);
+}
+
+TEST_CASE("Opening a problem shows its proof in the matrix, and an action asks for a reason") {
+    Shown shown;
+    shown.window.models().entry.set(RelationEntryModel::Part::Subject, QStringLiteral("3"));
+    shown.window.models().entry.set(RelationEntryModel::Part::Kind, QStringLiteral("covers"));
+    shown.window.models().entry.set(RelationEntryModel::Part::Object, QStringLiteral("1"));
+    shown.window.models().entry.commit();
+    shown.settle_all();
+    auto* list = shown.find<QListView>("problemList");
+    list->setCurrentIndex(list->model()->index(0, 0));
+    auto* matrix = dynamic_cast<MatrixView*>(shown.window.view("matrix"));
+    CHECK(matrix->model().proof_boxes().size() == 3);
+    CHECK(matrix->model().proof_lines().size() == 3);
+    auto* panel = dynamic_cast<ProblemPanel*>(shown.window.view("problems"));
+    REQUIRE(panel != nullptr);
+    QString asked;
+    panel->set_ask([&](QWidget*, const QString& what, bool) {
+        asked = what;
+        return ProblemPanel::Answer{QStringLiteral("known undercut"), {}};
+    });
+    QTest::mouseClick(shown.find<QPushButton>("acceptProblem"), Qt::LeftButton);
+    shown.settle_all();
+    CHECK_FALSE(asked.isEmpty());
+    CHECK(shown.window.models().problems.check().accepted.size() == 1);
+}
+
+TEST_CASE("What cannot be done is said in the window and does not stop it") {
+    Shown shown;
+    auto* number = shown.find<QLineEdit>("newUnit");
+    QTest::keyClicks(number, QStringLiteral("1"));
+    QTest::keyClick(number, Qt::Key_Return);
+    shown.settle_all();
+    CHECK_FALSE(shown.window.notice().isHidden());
+    CHECK_FALSE(shown.window.notice().sentence().isEmpty());
+}
+
+TEST_CASE("Every view has a name of its own, a title and an accessible focus") {
+    Shown shown;
+    std::set<std::string_view> names;
+    for (const ViewEntry& entry : all_views()) {
+        INFO(entry.name);
+        CHECK(names.insert(entry.name).second);
+        CHECK_FALSE(view_title(entry).isEmpty());
+        REQUIRE(shown.window.view(entry.name) != nullptr);
+        CHECK(shown.window.view(entry.name)->objectName().toStdString() == entry.name);
+    }
+}
+
+TEST_CASE("The window can be drawn in every theme, with and without a project") {
+    Shown shown;
+    for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Sunlight, ThemeKind::Light}) {
+        apply_theme(kind);
+        shown.settle_all();
+        CHECK_FALSE(shown.window.grab().isNull());
+    }
+    shown.window.models().workspace.close();
+    shown.settle_all();
+    CHECK_FALSE(shown.window.grab().isNull());
+}
