@@ -113,7 +113,10 @@ void add_matrix_commands(CLI::App& root, Context& context) {
     matrix->add_option("--bands", options->draw.bands,
                        "phases, periods or none; unasked where most units have a phase");
     matrix->add_flag("--frames", options->draw.frames, "a frame around the units of each group");
-    matrix->add_option("--since", options->draw.since, "only what was added or changed since this day (YYYY-MM-DD)");
+    matrix->add_option("--since", options->draw.since,
+                       "only what was added, removed or changed since this day (YYYY-MM-DD)");
+    matrix->add_option("--compare", options->draw.compared_with,
+                       "only where the interpretation differs from this one (field: from the record itself)");
     matrix->add_flag("--problems", options->draw.problems_only, "only what problems are about");
     matrix->add_flag("--titles", options->draw.titles, "short definitions below the numbers");
     matrix->add_option("--paper", options->paper, "PDF: fit, A4, A3, A2, A1 or A0")

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "app/drawing/draw_matrix.hpp"
 
-#include <map>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "app/checks/daily_check.hpp"
+#include "app/drawing/compare_readings.hpp"
 #include "core/base/error.hpp"
 #include "strat/layout/graphviz_engine.hpp"
 #include "strat/layout/planum_engine.hpp"
@@ -58,34 +61,75 @@ void keep_problems(Project& project, const DrawRequest& request, strat::DrawingO
     options.subtitle = "problems";
 }
 
-// Units inserted or changed since the day, by the change log; relations added mark both their units changed.
-void keep_changed(Project& project, const DrawRequest& request, strat::DrawingOptions& options) {
+struct LoggedSince {
+    std::set<std::string> inserted; // uuids
+    std::set<std::string> touched;
+};
+
+LoggedSince logged_since(Project& project, const std::string& since) {
     constexpr std::size_t kMost = 1'000'000;
-    std::map<std::string, strat::Mark> by_uuid;
+    LoggedSince logged;
     for (const store::LogEntry& entry : project.file().log(std::nullopt, kMost)) {
-        if (entry.made_at < request.since) continue;
-        strat::Mark& mark = by_uuid[entry.uuid];
-        if (entry.action == "insert") mark = strat::Mark::Added;
-        if (mark == strat::Mark::None) mark = strat::Mark::Changed;
+        if (entry.made_at < since) continue;
+        (entry.action == "insert" ? logged.inserted : logged.touched).insert(entry.uuid);
     }
-    std::map<model::UnitId, strat::Mark> marks;
-    for (const model::StratigraphicUnit& unit : project.record().units) {
-        const auto it = by_uuid.find(unit.id.to_string());
-        if (it != by_uuid.end()) marks[unit.id] = it->second;
+    return logged;
+}
+
+// The reading as it was: without what came since, with what went since.
+model::Record state_before(Project& project, const model::Record& now, const LoggedSince& logged,
+                           const std::string& since) {
+    model::Record before = now;
+    std::erase_if(before.units, [&](const auto& u) { return logged.inserted.contains(u.id.to_string()); });
+    std::erase_if(before.relations, [&](const auto& r) { return logged.inserted.contains(r.id.to_string()); });
+    store::RemovedRecords removed = project.file().load_removed(since);
+    const auto existed = [&](const auto& value) { return !logged.inserted.contains(value.id.to_string()); };
+    std::copy_if(removed.units.begin(), removed.units.end(), std::back_inserter(before.units), existed);
+    std::set<model::UnitId> known;
+    for (const model::Record* record : {&now, &std::as_const(before)}) {
+        for (const model::StratigraphicUnit& unit : record->units) known.insert(unit.id);
     }
-    for (const model::PhysicalRelation& relation : project.record().relations) {
-        const auto it = by_uuid.find(relation.id.to_string());
-        if (it == by_uuid.end()) continue;
-        options.order_marks.push_back({relation.subject, relation.object, it->second});
-        marks.try_emplace(relation.subject, strat::Mark::Changed);
-        marks.try_emplace(relation.object, strat::Mark::Changed);
+    std::copy_if(removed.relations.begin(), removed.relations.end(), std::back_inserter(before.relations),
+                 [&](const model::PhysicalRelation& r) {
+                     return existed(r) && known.contains(r.subject) && known.contains(r.object);
+                 });
+    model::sort_record(before);
+    return before;
+}
+
+// Draws only what tells the two states apart.
+void keep_differences(Comparison comparison, model::Record& drawn, strat::DrawingOptions& options) {
+    for (const strat::UnitMark& mark : comparison.units) options.only.push_back(mark.unit);
+    options.marks = std::move(comparison.units);
+    options.order_marks = std::move(comparison.orders);
+    drawn = std::move(comparison.both);
+}
+
+void keep_changed(Project& project, const DrawRequest& request, model::Record& drawn, strat::DrawingOptions& options) {
+    const LoggedSince logged = logged_since(project, request.since);
+    Comparison comparison = compare_readings(state_before(project, drawn, logged, request.since), drawn);
+    std::set<model::UnitId> marked;
+    for (const strat::UnitMark& mark : comparison.units) marked.insert(mark.unit);
+    for (const model::StratigraphicUnit& unit : drawn.units) {
+        if (!marked.contains(unit.id) && logged.touched.contains(unit.id.to_string())) {
+            comparison.units.push_back({unit.id, strat::Mark::Changed});
+        }
     }
-    if (marks.empty()) throw Error(ErrorCode::NotFound, "nothing was added or changed since " + request.since);
-    for (const auto& [unit, mark] : marks) {
-        options.only.push_back(unit);
-        options.marks.push_back({unit, mark});
+    if (comparison.units.empty()) {
+        throw Error(ErrorCode::NotFound, "nothing was added, removed or changed since " + request.since);
     }
+    keep_differences(std::move(comparison), drawn, options);
     options.subtitle = "changed since " + request.since;
+}
+
+void keep_compared(Project& project, const DrawRequest& request, model::Record& drawn, strat::DrawingOptions& options) {
+    const std::string before_name = request.compared_with == "field" ? std::string() : request.compared_with;
+    Comparison comparison = compare_readings(interpreted(project.record(), before_name), drawn);
+    const std::string now = request.interpretation.empty() ? "the field record" : request.interpretation;
+    const std::string before = before_name.empty() ? "the field record" : before_name;
+    if (comparison.units.empty()) throw Error(ErrorCode::NotFound, now + " does not differ from " + before);
+    keep_differences(std::move(comparison), drawn, options);
+    options.subtitle = now + ", compared with " + before;
 }
 
 } // namespace
@@ -106,12 +150,20 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     if (!request.area.empty()) options.subtitle = "area " + request.area;
     if (!request.around.empty()) options.subtitle = "around unit " + request.around;
     if (request.problems_only) keep_problems(project, request, options, progress);
-    if (!request.since.empty()) keep_changed(project, request, options);
-    const model::Record record = interpreted(project.record(), request.interpretation);
+    const model::Record reading = interpreted(project.record(), request.interpretation);
+    model::Record drawn = reading;
+    const bool compares = !request.since.empty() || !request.compared_with.empty();
+    if (!request.since.empty() && !request.compared_with.empty()) {
+        throw Error(ErrorCode::Usage, "compare: two days or two interpretations, not both at once");
+    }
+    if (!request.since.empty()) keep_changed(project, request, drawn, options);
+    if (!request.compared_with.empty()) keep_compared(project, request, drawn, options);
     progress.step("building the matrix");
-    const auto matrix = strat::HarrisMatrix::build(record);
+    const auto matrix = strat::HarrisMatrix::build(drawn);
     progress.step("drawing");
-    return engine_of(request)->draw({record, matrix, text, options, {}}, progress);
+    strat::MatrixDrawing drawing = engine_of(request)->draw({drawn, matrix, text, options, {}}, progress);
+    if (compares) keep_cycles_of(reading, drawing);
+    return drawing;
 }
 
 strat::MatrixStats matrix_stats(Project& project, const std::string& interpretation) {

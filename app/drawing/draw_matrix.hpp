@@ -14,13 +14,14 @@ namespace planum::app {
 struct DrawRequest {
     std::string engine; ///< `planum` or `graphviz`; empty: the default
     std::string interpretation;
+    std::string compared_with; ///< another interpretation, `field` for the record itself: only what differs
     std::string area;
     std::string around; ///< a unit
     int around_steps = 2;
     std::string fold;                    ///< `phases`, `periods` or `groups`
     bool frames = false;                 ///< around the units of top-level groups
     std::string bands;                   ///< `phases`, `periods` or `none`; empty: where most units have one
-    std::string since;                   ///< ISO day: what was added or changed since is marked, the rest left out
+    std::string since;                   ///< ISO day: only what was added, removed or changed since, marked
     bool problems_only = false;          ///< units with errors or warnings about their relations
     bool titles = false;                 ///< short definitions below the numbers
     std::filesystem::path layout_worker; ///< program that runs Graphviz in a child; empty: our own

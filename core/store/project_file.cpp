@@ -123,6 +123,12 @@ model::Record ProjectFile::load() const {
     return record;
 }
 
+RemovedRecords ProjectFile::load_removed(std::string_view since) const {
+    RemovedRecords removed = store::load_removed(state_->database, since);
+    state_->wait_for_check();
+    return removed;
+}
+
 model::ProjectSettings ProjectFile::settings() const {
     state_->wait_for_check();
     return load_settings(state_->database);

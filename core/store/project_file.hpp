@@ -14,6 +14,7 @@
 #include "core/base/progress.hpp"
 #include "core/base/uuid.hpp"
 #include "core/model/record.hpp"
+#include "core/store/removed_records.hpp"
 
 namespace planum::store {
 
@@ -90,6 +91,9 @@ class ProjectFile {
 
     /// The living record, sorted (model::sort_record).
     [[nodiscard]] model::Record load() const;
+
+    /// What was deleted since a moment (ISO, or its beginning: a day).
+    [[nodiscard]] RemovedRecords load_removed(std::string_view since) const;
 
     /// The settings alone, for `info` and for opening a window.
     [[nodiscard]] model::ProjectSettings settings() const;

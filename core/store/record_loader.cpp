@@ -41,10 +41,8 @@ class ReadingScope {
 };
 
 template<class T>
-std::vector<T> read_all(const sqlite::Database& database) {
+std::vector<T> read_rows(const sqlite::Database& database, sqlite::Statement rows) {
     constexpr std::string_view kTable = TableOf<T>::name;
-    sqlite::Statement rows = database.prepare(
-        fmt::format("SELECT uuid, {} FROM {} WHERE deleted_at IS NULL", fmt::join(columns_of<T>(), ", "), kTable));
     std::vector<T> values;
     try {
         while (rows.step()) {
@@ -61,6 +59,20 @@ std::vector<T> read_all(const sqlite::Database& database) {
         throw;
     }
     return values;
+}
+
+template<class T>
+std::vector<T> read_all(const sqlite::Database& database) {
+    return read_rows<T>(database, database.prepare(fmt::format("SELECT uuid, {} FROM {} WHERE deleted_at IS NULL",
+                                                               fmt::join(columns_of<T>(), ", "), TableOf<T>::name)));
+}
+
+template<class T>
+std::vector<T> read_removed(const sqlite::Database& database, std::string_view since) {
+    sqlite::Statement rows = database.prepare(fmt::format("SELECT uuid, {} FROM {} WHERE deleted_at >= :since",
+                                                          fmt::join(columns_of<T>(), ", "), TableOf<T>::name));
+    rows.bind(":since", since);
+    return read_rows<T>(database, std::move(rows));
 }
 
 template<class T>
@@ -212,6 +224,12 @@ model::ProjectSettings load_settings(const sqlite::Database& database) {
     if (all.empty())
         throw Error(ErrorCode::BadInput, database.name() + ": the project has no settings: restore a backup");
     return all.front();
+}
+
+RemovedRecords load_removed(const sqlite::Database& database, std::string_view since) {
+    const ReadingScope one_moment(database);
+    return {read_removed<model::StratigraphicUnit>(database, since),
+            read_removed<model::PhysicalRelation>(database, since)};
 }
 
 model::Record load_record(const sqlite::Database& database) {

@@ -68,7 +68,7 @@ StrokeStyle style_of(const DrawnLine& line) noexcept {
         style.colour = colour_of(line.mark);
         style.width = 1.4;
     }
-    if (line.in_cycle || line.upwards) {
+    if (line.in_cycle || (line.upwards && line.mark == Mark::None)) {
         style.colour = kAlarm;
         style.width = 1.1;
     }

@@ -229,7 +229,7 @@ class PageMaker {
             legend_entry(sample, "in a cycle", pen);
         }
         sample.line = {};
-        if (any([](const DrawnLine& l) { return l.upwards && !l.in_cycle; })) {
+        if (any([](const DrawnLine& l) { return l.upwards && !l.in_cycle && l.mark == Mark::None; })) {
             sample.line.upwards = true;
             legend_entry(sample, "against the phases", pen);
         }
