@@ -75,8 +75,28 @@ class Orderer {
         for (std::size_t l = 0; l < g_.layers.size(); ++l) number(l);
     }
 
-    // Barth, Jünger and Mutzel 2002: inversions counted with an accumulator tree.
+    // Inversions of the ends below, node by node from left to right: by insertion where there are few, which
+    // costs no more than their number.
     std::int64_t crossings_below(std::size_t l) {
+        constexpr std::size_t kFew = 64;
+        ends_.clear();
+        std::int64_t count = 0;
+        for (const std::uint32_t u : g_.layers[l]) {
+            const std::size_t before = ends_.size();
+            for (const std::uint32_t v : down_.row(u)) ends_.push_back(position_[v]);
+            if (ends_.size() > kFew) return crossings_by_tree(l);
+            std::sort(ends_.begin() + static_cast<std::ptrdiff_t>(before), ends_.end());
+            for (std::size_t i = before; i < ends_.size(); ++i) {
+                std::size_t j = i;
+                for (; j > 0 && ends_[j - 1] > ends_[j]; --j) std::swap(ends_[j - 1], ends_[j]);
+                count += static_cast<std::int64_t>(i - j);
+            }
+        }
+        return count;
+    }
+
+    // Barth, Jünger and Mutzel 2002: inversions counted with an accumulator tree.
+    std::int64_t crossings_by_tree(std::size_t l) {
         const std::size_t width = g_.layers[l + 1].size();
         std::size_t leaves = 1;
         while (leaves < width) leaves *= 2;
@@ -245,12 +265,28 @@ class Orderer {
         for (const std::uint32_t v : layer) {
             if (!fixed.row(v).empty()) keyed_.push_back({centre_of(fixed.row(v), centre), v});
         }
-        std::stable_sort(keyed_.begin(), keyed_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        sort_keyed();
         std::size_t next = 0;
         for (std::uint32_t& v : layer) {
             if (!fixed.row(v).empty()) v = keyed_[next++].second;
         }
         number(l);
+    }
+
+    // Levels are small and, after the first sweeps, nearly sorted.
+    void sort_keyed() {
+        constexpr std::size_t kSmall = 96;
+        if (keyed_.size() > kSmall) {
+            std::stable_sort(keyed_.begin(), keyed_.end(),
+                             [](const auto& a, const auto& b) { return a.first < b.first; });
+            return;
+        }
+        for (std::size_t i = 1; i < keyed_.size(); ++i) {
+            const auto moved = keyed_[i];
+            std::size_t j = i;
+            for (; j > 0 && keyed_[j - 1].first > moved.first; --j) keyed_[j] = keyed_[j - 1];
+            keyed_[j] = moved;
+        }
     }
 
     double centre_of(std::span<const std::uint32_t> neighbours, Centre centre) {
@@ -303,10 +339,17 @@ class Orderer {
     // `also_equal` swaps neighbours in the first round even where nothing is won, which leads out of plains.
     void switch_until_stuck(int most_rounds, bool also_equal = false) {
         Ends ends;
+        const std::size_t count = g_.layers.size();
+        changed_.assign(count + 2, 1); // by level + 1: in the round before or in this one
         for (int round = 0; round < most_rounds; ++round) {
             bool better = false;
-            for (std::size_t l = 0; l < g_.layers.size(); ++l)
-                better = switch_layer(l, ends, also_equal && round == 0) || better;
+            for (std::size_t l = 0; l < count; ++l) {
+                // Only where a neighbouring level changed can there be something to win again.
+                if (round > 0 && changed_[l] == 0 && changed_[l + 1] == 0 && changed_[l + 2] == 0) continue;
+                const bool switched = switch_layer(l, ends, also_equal && round == 0);
+                changed_[l + 1] = switched ? 1 : 0;
+                better = switched || better;
+            }
             if (!better) return;
             if (!spend(static_cast<std::int64_t>(g_.edges.size()) * 10)) return;
         }
@@ -411,6 +454,7 @@ class Orderer {
     std::vector<std::uint32_t> ends_;
     std::vector<std::pair<double, std::uint32_t>> keyed_;
     std::vector<std::size_t> rows_;
+    std::vector<char> changed_;
 };
 
 } // namespace
