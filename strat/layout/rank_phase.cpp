@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "strat/layout/level_balance.hpp"
 #include "strat/layout/network_simplex.hpp"
 #include "strat/matrix/condensation.hpp"
 
@@ -52,6 +53,7 @@ class Ranker {
         solve();
         if (graph_.bands.empty()) {
             pull_to_ends();
+            balance();
         } else {
             find_bands();
         }
@@ -267,6 +269,16 @@ class Ranker {
             if (graph_.boxes[b].on_top && !has_above[b]) out_.rank[b] = 0;
             if (graph_.boxes[b].at_bottom && !has_below[b]) out_.rank[b] = last[out_.component[b]];
         }
+    }
+
+    void balance() {
+        std::vector<std::uint32_t> on_level(graph_.boxes.size(), 0);
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) ++on_level[levels_.find(b)];
+        std::vector<bool> fixed(graph_.boxes.size(), false);
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
+            fixed[b] = on_level[levels_.find(b)] > 1 || graph_.boxes[b].on_top || graph_.boxes[b].at_bottom;
+        }
+        balance_levels(graph_, out_.upwards, out_.component, fixed, out_.rank);
     }
 
     void find_bands() {
