@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "strat/layout/level_balance.hpp"
 #include "strat/layout/network_simplex.hpp"
@@ -51,6 +52,7 @@ class Ranker {
         turn_against_bands();
         join_contemporaries();
         solve();
+        close_chains();
         if (graph_.bands.empty()) {
             pull_to_ends();
             balance();
@@ -271,6 +273,32 @@ class Ranker {
         }
     }
 
+    // A chain's slack goes below it, not into it: a box under one that has nothing else below stands right
+    // beneath it. Costs no length where it has one order below, too.
+    void close_chains() {
+        std::vector<std::uint32_t> above(graph_.boxes.size(), kNone);
+        std::vector<std::uint32_t> orders_above(graph_.boxes.size(), 0);
+        std::vector<std::uint32_t> orders_below(graph_.boxes.size(), 0);
+        for (std::uint32_t i = 0; i < graph_.orders.size(); ++i) {
+            const std::uint32_t weight = out_.upwards[i] ? 2 : 1; // boxes at an upward line stay
+            above[graph_.orders[i].earlier] = graph_.orders[i].later;
+            orders_above[graph_.orders[i].earlier] += weight;
+            orders_below[graph_.orders[i].later] += weight;
+        }
+        std::vector<std::uint32_t> on_level(graph_.boxes.size(), 0);
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) ++on_level[levels_.find(b)];
+        std::vector<std::uint32_t> downwards(graph_.boxes.size());
+        std::iota(downwards.begin(), downwards.end(), 0U);
+        std::stable_sort(downwards.begin(), downwards.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return out_.rank[a] < out_.rank[b]; });
+        for (const std::uint32_t b : downwards) {
+            if (orders_above[b] != 1 || orders_below[b] != 1 || orders_below[above[b]] != 1) continue;
+            if (on_level[levels_.find(b)] > 1 || graph_.boxes[b].at_bottom) continue;
+            if (graph_.boxes[b].band != graph_.boxes[above[b]].band) continue;
+            out_.rank[b] = out_.rank[above[b]] + 1;
+        }
+    }
+
     void balance() {
         std::vector<std::uint32_t> on_level(graph_.boxes.size(), 0);
         for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) ++on_level[levels_.find(b)];
@@ -287,25 +315,30 @@ class Ranker {
             out_.band_begin.push_back(ranks_[boxes + band]);
     }
 
-    // Separators took levels of their own; they go, in all components alike.
+    // Levels that nothing stands on: of separators between bands, or left by moved boxes. They go, with bands in
+    // all components alike.
     void close_gaps() {
-        std::int32_t highest = 0;
-        for (const std::int32_t r : out_.rank) highest = std::max(highest, r);
-        std::vector<std::int32_t> renamed(static_cast<std::size_t>(highest) + 2, 0);
-        if (graph_.bands.empty()) return;
-        std::vector<bool> used(renamed.size(), false);
+        std::vector<std::vector<std::uint32_t>> parts(graph_.bands.empty() ? out_.component_count : 1);
         for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
-            if (!graph_.boxes[b].box.isolated) used[static_cast<std::size_t>(out_.rank[b])] = true;
+            if (!graph_.boxes[b].box.isolated) parts[graph_.bands.empty() ? out_.component[b] : 0].push_back(b);
         }
+        for (const std::vector<std::uint32_t>& part : parts) close_gaps_of(part);
+    }
+
+    void close_gaps_of(const std::vector<std::uint32_t>& boxes) {
+        std::int32_t highest = 0;
+        for (const std::uint32_t b : boxes) highest = std::max(highest, out_.rank[b]);
+        for (const std::int32_t b : out_.band_begin) highest = std::max(highest, b);
+        std::vector<bool> used(static_cast<std::size_t>(highest) + 2, false);
+        for (const std::uint32_t b : boxes) used[static_cast<std::size_t>(out_.rank[b])] = true;
+        std::vector<std::int32_t> renamed(used.size(), 0);
         std::int32_t next = 0;
         for (std::size_t r = 0; r < renamed.size(); ++r) {
             renamed[r] = next;
             if (used[r]) ++next;
         }
-        for (std::int32_t& r : out_.rank) r = renamed[static_cast<std::size_t>(r)];
-        for (std::int32_t& b : out_.band_begin) {
-            b = renamed[static_cast<std::size_t>(std::clamp(b, 0, highest + 1))];
-        }
+        for (const std::uint32_t b : boxes) out_.rank[b] = renamed[static_cast<std::size_t>(out_.rank[b])];
+        for (std::int32_t& b : out_.band_begin) b = renamed[static_cast<std::size_t>(std::max(b, 0))];
     }
 
     const DrawnGraph& graph_;

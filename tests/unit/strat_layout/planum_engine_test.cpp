@@ -250,3 +250,28 @@ TEST_CASE("A frame stands around the units of a group, with its heading, and bes
           }) == 2);
     CHECK(drawing_of(record).frames.empty());
 }
+
+TEST_CASE("A fill stands right above its cut, however long the way below it is") {
+    auto builder = a_matrix();
+    builder.above("1", "2").above("2", "3").above("3", "9"); // fill 2 and cut 3 of a pit
+    builder.above("1", "4").above("4", "5").above("5", "6").above("6", "7").above("7", "9");
+    const model::Record record = builder.record();
+    const MatrixDrawing drawing = drawing_of(record);
+    CHECK(broken_law(record, drawing).empty());
+    std::map<std::string, double> y;
+    for (const DrawnBox& box : drawing.boxes) y[box.names.front()] = box.rect.y;
+    CHECK(y["3"] - y["2"] == y["5"] - y["4"]);
+}
+
+TEST_CASE("Many pits between one surface and one ground stand on several levels") {
+    auto builder = a_matrix();
+    for (int i = 2; i < 42; ++i) builder.above("1", std::to_string(i)).above(std::to_string(i), "99");
+    for (int i = 50; i < 54; ++i) builder.above(std::to_string(i), std::to_string(i + 1));
+    builder.above("1", "50").above("54", "99");
+    const model::Record record = builder.record();
+    const MatrixDrawing drawing = drawing_of(record);
+    CHECK(broken_law(record, drawing).empty());
+    std::map<double, int> on_level;
+    for (const DrawnBox& box : drawing.boxes) ++on_level[box.rect.y];
+    for (const auto& [level, boxes] : on_level) CHECK(boxes <= 20);
+}
