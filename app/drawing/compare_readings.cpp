@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/drawing/compare_readings.hpp"
 
-#include <algorithm>
 #include <map>
 #include <set>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
-
-#include "strat/matrix/harris_matrix.hpp"
 
 namespace planum::app {
 
@@ -68,29 +64,6 @@ Comparison compare_readings(const model::Record& before, const model::Record& af
     model::sort_record(result.both);
     for (const auto& [unit, how] : marks) result.units.push_back({unit, how});
     return result;
-}
-
-void keep_cycles_of(const model::Record& after, strat::MatrixDrawing& drawing) {
-    const auto matrix = strat::HarrisMatrix::build(after);
-    std::unordered_map<model::UnitId, std::uint32_t> group; // of units in cycles: their component
-    for (const std::uint32_t component : matrix.cycle_groups()) {
-        for (const strat::NodeIndex node : matrix.component(component)) {
-            for (const strat::UnitIndex unit : matrix.members(node)) group.emplace(after.units[unit].id, component);
-        }
-    }
-    const auto group_of = [&](const strat::DrawnBox& box) -> std::int64_t {
-        for (const model::UnitId unit : box.units) {
-            const auto it = group.find(unit);
-            if (it != group.end()) return it->second;
-        }
-        return -1;
-    };
-    for (strat::DrawnBox& box : drawing.boxes) box.in_cycle = box.in_cycle && group_of(box) >= 0;
-    for (strat::DrawnLine& line : drawing.lines) {
-        const std::int64_t later = group_of(drawing.boxes[line.later]);
-        line.in_cycle = line.in_cycle && line.mark != strat::Mark::Removed && later >= 0 &&
-                        later == group_of(drawing.boxes[line.earlier]);
-    }
 }
 
 } // namespace planum::app

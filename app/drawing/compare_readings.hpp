@@ -20,8 +20,4 @@ struct Comparison {
 /// same. Units are known by their id, relations by the units they join.
 [[nodiscard]] Comparison compare_readings(const model::Record& before, const model::Record& after);
 
-/// After drawing `both`: boxes and lines stay in a cycle only if `after` alone has it, since a removed relation
-/// together with its correction is a cycle that nobody recorded.
-void keep_cycles_of(const model::Record& after, strat::MatrixDrawing& drawing);
-
 } // namespace planum::app

@@ -150,9 +150,7 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     if (!request.area.empty()) options.subtitle = "area " + request.area;
     if (!request.around.empty()) options.subtitle = "around unit " + request.around;
     if (request.problems_only) keep_problems(project, request, options, progress);
-    const model::Record reading = interpreted(project.record(), request.interpretation);
-    model::Record drawn = reading;
-    const bool compares = !request.since.empty() || !request.compared_with.empty();
+    model::Record drawn = interpreted(project.record(), request.interpretation);
     if (!request.since.empty() && !request.compared_with.empty()) {
         throw Error(ErrorCode::Usage, "compare: two days or two interpretations, not both at once");
     }
@@ -161,9 +159,7 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     progress.step("building the matrix");
     const auto matrix = strat::HarrisMatrix::build(drawn);
     progress.step("drawing");
-    strat::MatrixDrawing drawing = engine_of(request)->draw({drawn, matrix, text, options, {}}, progress);
-    if (compares) keep_cycles_of(reading, drawing);
-    return drawing;
+    return engine_of(request)->draw({drawn, matrix, text, options, {}}, progress);
 }
 
 strat::MatrixStats matrix_stats(Project& project, const std::string& interpretation) {

@@ -233,6 +233,12 @@ class PageMaker {
             sample.line.upwards = true;
             legend_entry(sample, "against the phases", pen);
         }
+        for (const Mark mark : {Mark::Added, Mark::Removed, Mark::Changed}) {
+            sample.line = {};
+            sample.line.mark = mark;
+            if (any([&](const DrawnLine& l) { return l.mark == mark; }))
+                legend_entry(sample, std::string(to_word(mark)) + " order", pen);
+        }
     }
 
     void stretch_bands() {

@@ -12,6 +12,7 @@
 #include "core/base/text.hpp"
 #include "strat/layout/drawing_style.hpp"
 #include "strat/layout/graph_selection.hpp"
+#include "strat/matrix/condensation.hpp"
 
 namespace planum::strat {
 
@@ -224,6 +225,25 @@ class GraphMaker {
                 box.in_cycle = box.in_cycle || pair.in_cycle;
             }
             graph_.orders.push_back(std::move(order));
+        }
+        forget_removed_cycles();
+    }
+
+    // An order that was removed, together with its correction, is a cycle that nobody recorded.
+    void forget_removed_cycles() {
+        std::vector<Order> standing;
+        for (const GraphOrder& o : graph_.orders) {
+            if (o.line.mark != Mark::Removed) standing.push_back({o.later, o.earlier});
+        }
+        if (standing.size() == graph_.orders.size()) return;
+        const Condensation condensation = condense(graph_.boxes.size(), standing);
+        for (GraphBox& b : graph_.boxes) b.box.in_cycle = false;
+        for (GraphOrder& o : graph_.orders) {
+            const bool together = condensation.component_of[o.later] == condensation.component_of[o.earlier];
+            o.line.in_cycle = together && o.line.mark != Mark::Removed;
+            if (!o.line.in_cycle) continue;
+            graph_.boxes[o.later].box.in_cycle = true;
+            graph_.boxes[o.earlier].box.in_cycle = true;
         }
     }
 
