@@ -55,6 +55,7 @@ void add_matrix_commands(CLI::App& root, Context& context);
 void add_report_commands(CLI::App& root, Context& context);
 void add_scan_commands(CLI::App& root, Context& context);
 void add_panorama_commands(CLI::App& root, Context& context);
+void add_register_commands(CLI::App& root, Context& context);
 void add_demo_commands(CLI::App& root, Context& context);
 
 /// Writes the record for another program and says what was not carried.

@@ -232,6 +232,7 @@ CoarseResult align_features(const FeatureSet& target, const FeatureSet& source, 
     if (tilt_of(fitted.target_from_source) > options.max_tilt)
         return refused(result, "one of the scans would hang askew");
     result.is_accepted = true;
+    result.covariance = fitted.covariance;
     result.verdict = fmt::format("{} of {} places that look alike agree within {:.0f} mm", result.inliers,
                                  result.matches, result.rms * 1000.0);
     return result;

@@ -47,6 +47,13 @@ holds region-import region import site.gpkg "$here/data/outlines.geojson" --dry-
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --create-units
 holds region-list region list site.gpkg
 holds record-show region show site.gpkg 2025-06-01/1
+holds register register site.gpkg
+printf 'scan,marker,x,y,z\nsite,M1,0,0,0\nsite,M2,5,0,0\nsite,M3,0,5,0\n' >markers.csv
+printf '2025-06-01/station1,M1,1,0,0\n2025-06-01/station1,M2,6,0,0\n2025-06-01/station1,M3,1,5,0\n' >>markers.csv
+holds markers-import markers import site.gpkg markers.csv
+holds register register site.gpkg --method markers
+holds register-compare register site.gpkg --compare 1 2
+holds scan-list scan list site.gpkg
 for kind in unit relation phase period group dating find level sample document area surface; do
   holds record-list "$kind" list site.gpkg
 done

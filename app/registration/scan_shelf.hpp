@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/model/scan.hpp"
+#include "scans/cloud/point_store.hpp"
+#include "scans/registration/features.hpp"
+#include "scans/registration/fine_alignment.hpp"
+
+namespace planum::app {
+
+/// What registration needs of each scan, made when first asked for. Features of all scans are kept, thinned points
+/// of the last few only.
+class ScanShelf {
+  public:
+    ScanShelf(std::filesystem::path project, std::vector<model::Scan> scans, scans::FineOptions fine,
+              Progress& progress);
+
+    [[nodiscard]] const std::vector<model::Scan>& scans() const noexcept { return scans_; }
+
+    /// Features of every channel that tells something; in the order of scans(). Made for all that lack them, two
+    /// scans at a time.
+    void make_features(const std::vector<std::size_t>& scans);
+
+    [[nodiscard]] const scans::FeatureSet& features(std::size_t scan) const { return features_.at(scan); }
+
+    [[nodiscard]] std::shared_ptr<const scans::PreparedScan> prepared(std::size_t scan);
+
+  private:
+    std::filesystem::path project_;
+    std::vector<model::Scan> scans_;
+    scans::FineOptions fine_;
+    Progress& progress_;
+    std::map<std::size_t, scans::FeatureSet> features_;
+    std::deque<std::pair<std::size_t, std::shared_ptr<const scans::PreparedScan>>> prepared_; ///< latest first
+};
+
+/// Features of a store in all channels that it has: reflectance, else colour, and range.
+[[nodiscard]] scans::FeatureSet features_of(const scans::PointStore& store);
+
+/// Points of a store, in its order.
+[[nodiscard]] std::vector<Eigen::Vector3d> points_of(const scans::PointStore& store);
+
+} // namespace planum::app
