@@ -36,6 +36,7 @@ void fill(CLI::App& root, Context& context) {
     add_import_commands(root, context);
     add_record_commands(root, context);
     add_region_commands(root, context);
+    add_survey_commands(root, context);
     add_check_commands(root, context);
     add_matrix_commands(root, context);
     add_report_commands(root, context);

@@ -50,6 +50,7 @@ void add_import_commands(CLI::App& root, Context& context);
 void add_record_commands(CLI::App& root, Context& context);
 /// After the record commands: adds to `region` what only regions have.
 void add_region_commands(CLI::App& root, Context& context);
+void add_survey_commands(CLI::App& root, Context& context);
 void add_check_commands(CLI::App& root, Context& context);
 void add_matrix_commands(CLI::App& root, Context& context);
 void add_report_commands(CLI::App& root, Context& context);

@@ -54,6 +54,7 @@ holds markers-import markers import site.gpkg markers.csv
 holds register register site.gpkg --method markers
 holds register-compare register site.gpkg --compare 1 2
 holds scan-list scan list site.gpkg
+holds survey-import survey import site.gpkg "$here/data/station.csv"
 for kind in unit relation phase period group dating find level sample document area surface; do
   holds record-list "$kind" list site.gpkg
 done
