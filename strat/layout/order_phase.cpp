@@ -26,6 +26,16 @@ std::int64_t inversions(std::span<const std::uint32_t> left, std::span<const std
     return count;
 }
 
+using EndIterator = std::vector<std::uint32_t>::iterator;
+
+// Most nodes have one neighbour or two.
+void sort_few(EndIterator first, EndIterator last) {
+    if (last - first > 8) return std::sort(first, last);
+    for (EndIterator i = first; i != last; ++i) {
+        for (EndIterator j = i; j != first && *(j - 1) > *j; --j) std::iter_swap(j - 1, j);
+    }
+}
+
 class Orderer {
   public:
     Orderer(LayeredGraph& graph, const OrderOptions& options, Progress& progress)
@@ -85,7 +95,7 @@ class Orderer {
             const std::size_t before = ends_.size();
             for (const std::uint32_t v : down_.row(u)) ends_.push_back(position_[v]);
             if (ends_.size() > kFew) return crossings_by_tree(l);
-            std::sort(ends_.begin() + static_cast<std::ptrdiff_t>(before), ends_.end());
+            sort_few(ends_.begin() + static_cast<std::ptrdiff_t>(before), ends_.end());
             for (std::size_t i = before; i < ends_.size(); ++i) {
                 std::size_t j = i;
                 for (; j > 0 && ends_[j - 1] > ends_[j]; --j) std::swap(ends_[j - 1], ends_[j]);
@@ -136,16 +146,20 @@ class Orderer {
         const auto edges = static_cast<std::int64_t>(g_.edges.size());
         const auto starts = std::clamp<std::int64_t>(24'000 / std::max<std::int64_t>(1, edges), 24, 160);
         constexpr std::int64_t kEnoughForDense = 8; // where edges cross everywhere, valleys are alike
+        constexpr std::int64_t kHopeless = 2;       // times the best, which has had more sweeps
         std::int64_t best_of_beginnings = best_crossings_;
         for (std::int64_t start = 0; start < starts; ++start) {
             if (start > 1 && !spend(0)) break;
             if (start == kEnoughForDense && best_of_beginnings > edges) break;
             progress_.check();
             walk(start % 2 == 0 ? Start::DepthFirst : Start::BreadthFirst, start > 1);
-            for (int sweep = 0; sweep < 8; ++sweep) sweep_once(sweep % 2 == 0, Centre::Barycentre);
+            for (int sweep = 0; sweep < 4; ++sweep) sweep_once(sweep % 2 == 0, Centre::Barycentre);
+            spend(edges * 40);
+            if (start > 1 && crossings() > kHopeless * best_of_beginnings) continue;
+            for (int sweep = 0; sweep < 4; ++sweep) sweep_once(sweep % 2 == 0, Centre::Barycentre);
             switch_until_stuck(3);
             beginnings.push_back({crossings(), g_.layers});
-            spend(edges * 80);
+            spend(edges * 40);
             best_of_beginnings = std::min(best_of_beginnings, beginnings.back().crossings);
             if (best_of_beginnings == 0) break;
         }
@@ -290,11 +304,13 @@ class Orderer {
     }
 
     double centre_of(std::span<const std::uint32_t> neighbours, Centre centre) {
+        if (centre == Centre::Barycentre) {
+            double sum = 0.0;
+            for (const std::uint32_t v : neighbours) sum += position_[v];
+            return sum / static_cast<double>(neighbours.size());
+        }
         ends_.clear();
         for (const std::uint32_t v : neighbours) ends_.push_back(position_[v]);
-        if (centre == Centre::Barycentre) {
-            return std::accumulate(ends_.begin(), ends_.end(), 0.0) / static_cast<double>(ends_.size());
-        }
         std::sort(ends_.begin(), ends_.end());
         const std::size_t n = ends_.size();
         const std::size_t m = n / 2;
@@ -321,7 +337,7 @@ class Orderer {
             for (const std::uint32_t v : layer) {
                 const auto first = static_cast<std::ptrdiff_t>(out.values.size());
                 for (const std::uint32_t w : in.row(v)) out.values.push_back(position_[w]);
-                std::sort(out.values.begin() + first, out.values.end());
+                sort_few(out.values.begin() + first, out.values.end());
                 out.begin.push_back(static_cast<std::uint32_t>(out.values.size()));
             }
         };
