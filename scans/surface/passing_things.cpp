@@ -13,6 +13,9 @@ constexpr double kSteepest = 1.75;       // tangent of what still hangs together
 constexpr double kRough = 0.015;         // and that much besides [m]
 constexpr std::size_t kSpeckCells = 4;   // fewer cells and
 constexpr std::size_t kSpeckPoints = 12; // fewer points: a speck
+constexpr double kFarthestStep = 0.1;    // and no more however far off [m]
+constexpr std::int32_t kRings = 10;      // so many cells away at most
+constexpr std::size_t kEnough = 8;       // neighbours
 constexpr double kBeneath = 0.04;        // what is lower by so much is beneath [m]
 constexpr double kJoinedShare = 0.3;     // of its cells next to higher ground: a side of something
 
@@ -76,20 +79,41 @@ void for_neighbours(const LayerField& field, std::int32_t row, std::int32_t colu
     }
 }
 
+template<class Visit>
+void for_ring(const LayerField& field, std::int32_t row, std::int32_t column, std::int32_t ring, const Visit& visit) {
+    for (std::int32_t r = row - ring; r <= row + ring; ++r) {
+        if (r < 0 || r >= field.frame.rows) continue;
+        const std::int32_t step = std::abs(r - row) == ring ? 1 : 2 * ring;
+        for (std::int32_t c = column - ring; c <= column + ring; c += step) {
+            if (c >= 0 && c < field.frame.columns) visit(r, c, field.frame.at(r, c));
+        }
+    }
+}
+
+void join_layers(const LayerField& field, std::uint32_t number, const HeightLayer& layer, std::size_t there,
+                 double distance, Pieces& pieces) {
+    const double most = std::min(kSteepest * distance, kFarthestStep) + kRough;
+    const std::span<const HeightLayer> others = field.at(there);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+        if (std::abs(static_cast<double>(others[k].height) - static_cast<double>(layer.height)) <= most)
+            pieces.join(number, field.first(there) + static_cast<std::uint32_t>(k));
+    }
+}
+
+/// Joins what hangs together: with all cells up to two away and, where points lie sparsely, ring by ring with those
+/// farther off until some have been met.
 Pieces find_pieces(const LayerField& field) {
     Pieces pieces(field.layers());
     const double cell = field.frame.cell;
     for_layers(field, [&](std::int32_t row, std::int32_t column, std::uint32_t number, const HeightLayer& layer) {
-        for_neighbours(field, row, column, 2, 1, [&](std::int32_t r, std::int32_t c, std::size_t there) {
-            if (r < row || (r == row && c < column)) return; // each pair once
-            const double distance = cell * std::hypot(r - row, c - column);
-            const double most = kSteepest * distance + kRough;
-            const std::span<const HeightLayer> others = field.at(there);
-            for (std::size_t k = 0; k < others.size(); ++k) {
-                if (std::abs(static_cast<double>(others[k].height) - static_cast<double>(layer.height)) <= most)
-                    pieces.join(number, field.first(there) + static_cast<std::uint32_t>(k));
-            }
-        });
+        std::size_t met = 0;
+        for (std::int32_t ring = 1; ring <= kRings && (ring <= 2 || met < kEnough); ++ring) {
+            for_ring(field, row, column, ring, [&](std::int32_t r, std::int32_t c, std::size_t there) {
+                if (field.at(there).empty()) return;
+                ++met;
+                join_layers(field, number, layer, there, cell * std::hypot(r - row, c - column), pieces);
+            });
+        }
     });
     return pieces;
 }

@@ -40,8 +40,8 @@ const HeightLayer& main_layer(std::span<const HeightLayer> layers) {
 class Composer {
   public:
     Composer(const LayerField& field, std::span<const SurfaceScan> scans, const SurfaceOptions& options,
-             BuiltSurface& built)
-        : field_(field), scans_(scans), options_(options), grid_(built.grid) {}
+             const LayerRules& rules, BuiltSurface& built)
+        : field_(field), field_rules_(rules), scans_(scans), options_(options), grid_(built.grid) {}
 
     void compose(Progress& progress) {
         const std::size_t cells = field_.frame.cells();
@@ -80,7 +80,8 @@ class Composer {
             if (plane) {
                 const double tangent = std::hypot(plane->dz_dx, plane->dz_dy);
                 grid_.slope[cell] = static_cast<float>(tangent);
-                if (tangent > options_.steepest) grid_.state[cell] = CellState::Face;
+                const double offside = field_rules_.extent + 2.0 * plane->rms;
+                if (tangent > options_.steepest || plane->off > offside) grid_.state[cell] = CellState::Face;
             }
             const Eigen::Vector3d x(field_.frame.x(column), field_.frame.y(static_cast<std::int32_t>(row)),
                                     static_cast<double>(grid_.height[cell]));
@@ -92,6 +93,7 @@ class Composer {
     }
 
     const LayerField& field_;
+    const LayerRules& field_rules_;
     std::span<const SurfaceScan> scans_;
     const SurfaceOptions& options_;
     SurfaceGrid& grid_;
@@ -121,12 +123,12 @@ BuiltSurface build_surface(std::span<const SurfaceScan> scans, const GridFrame& 
                            Progress& progress) {
     BuiltSurface built;
     progress.step("reading points into cells");
-    LayerField field =
-        collect_layers(scans, frame, rules_of(scans, frame, options), options.memory_bytes, options.threads, progress);
+    const LayerRules rules = rules_of(scans, frame, options);
+    LayerField field = collect_layers(scans, frame, rules, options.memory_bytes, options.threads, progress);
     built.points = field.points;
     progress.step("making the surface");
     if (options.remove_passing) built.passing = remove_passing(field, options.passing);
-    Composer(field, scans, options, built).compose(progress);
+    Composer(field, scans, options, rules, built).compose(progress);
     built.disputed = settle_disputes(field, scans, options, built.grid);
     return built;
 }
