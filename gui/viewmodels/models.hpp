@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "gui/viewmodels/outline_tool.hpp"
 #include "gui/viewmodels/problem_list_model.hpp"
 #include "gui/viewmodels/relation_entry_model.hpp"
+#include "gui/viewmodels/time_model.hpp"
 #include "gui/viewmodels/unit_card_model.hpp"
 #include "gui/viewmodels/unit_list_model.hpp"
 #include "gui/viewmodels/workspace.hpp"
@@ -21,6 +23,8 @@ struct Models {
     UnitCardModel card{workspace};
     RelationEntryModel entry{workspace};
     ProblemListModel problems{workspace};
+    TimeModel time{workspace};
+    OutlineTool outline{workspace};
 };
 
 } // namespace planum::gui

@@ -98,6 +98,35 @@ QString level_word(model::LevelRole role) {
     return {};
 }
 
+QString category_word(model::RegionCategory category) {
+    using model::RegionCategory;
+    switch (category) {
+    case RegionCategory::Unit: return translated(QT_TRANSLATE_NOOP("words", "a unit"));
+    case RegionCategory::Spoil: return translated(QT_TRANSLATE_NOOP("words", "spoil"));
+    case RegionCategory::Slump: return translated(QT_TRANSLATE_NOOP("words", "slump"));
+    case RegionCategory::Backfill: return translated(QT_TRANSLATE_NOOP("words", "backfill"));
+    case RegionCategory::Water: return translated(QT_TRANSLATE_NOOP("words", "water"));
+    case RegionCategory::Equipment: return translated(QT_TRANSLATE_NOOP("words", "equipment"));
+    case RegionCategory::Baulk: return translated(QT_TRANSLATE_NOOP("words", "baulk"));
+    case RegionCategory::Unexcavated: return translated(QT_TRANSLATE_NOOP("words", "not excavated yet"));
+    }
+    return {};
+}
+
+QString shows_word(model::RegionShows shows) {
+    using model::RegionShows;
+    switch (shows) {
+    case RegionShows::Top: return translated(QT_TRANSLATE_NOOP("words", "shows: its top"));
+    case RegionShows::Level: return translated(QT_TRANSLATE_NOOP("words", "shows: a level inside it"));
+    case RegionShows::Cut: return translated(QT_TRANSLATE_NOOP("words", "shows: the bare cut"));
+    case RegionShows::Overdug: return translated(QT_TRANSLATE_NOOP("words", "shows: dug too deep"));
+    case RegionShows::Machine: return translated(QT_TRANSLATE_NOOP("words", "shows: dug by machine"));
+    case RegionShows::Face: return translated(QT_TRANSLATE_NOOP("words", "shows: a face"));
+    case RegionShows::Nothing: return translated(QT_TRANSLATE_NOOP("words", "shows: nothing of it"));
+    }
+    return {};
+}
+
 QString check_title(std::string_view code) {
     static constexpr std::array<std::pair<std::string_view, const char*>, 30> kTitles = {{
         {"cycle", QT_TRANSLATE_NOOP("words", "Units above one another in a circle")},

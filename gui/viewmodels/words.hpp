@@ -8,6 +8,7 @@
 
 #include "core/model/diagnostic.hpp"
 #include "core/model/measured.hpp"
+#include "core/model/place.hpp"
 #include "core/model/relation.hpp"
 #include "core/model/unit.hpp"
 
@@ -24,6 +25,9 @@ namespace planum::gui {
 [[nodiscard]] QString relation_word(model::DirectedKind kind);
 [[nodiscard]] QString severity_word(model::Severity severity);
 [[nodiscard]] QString level_word(model::LevelRole role);
+[[nodiscard]] QString category_word(model::RegionCategory category);
+/// `shows: its top`, as the outline tool offers it.
+[[nodiscard]] QString shows_word(model::RegionShows shows);
 /// What a check is about, from its code: `cycle` → "Cycle".
 [[nodiscard]] QString check_title(std::string_view code);
 

@@ -8,7 +8,10 @@
 #include "gui/widgets/card/card_panel.hpp"
 #include "gui/widgets/history/history_panel.hpp"
 #include "gui/widgets/matrix/matrix_view.hpp"
+#include "gui/widgets/panorama/panorama_view.hpp"
+#include "gui/widgets/plan/plan_view.hpp"
 #include "gui/widgets/problems/problem_panel.hpp"
+#include "gui/widgets/section/section_view.hpp"
 #include "gui/widgets/units/unit_panel.hpp"
 
 namespace planum::gui {
@@ -23,6 +26,9 @@ QWidget* make(Models& models) {
 constexpr std::array kViews = {
     ViewEntry{"units", QT_TRANSLATE_NOOP("views", "Units"), Place::Left, "Ctrl+1", make<UnitPanel>},
     ViewEntry{"matrix", QT_TRANSLATE_NOOP("views", "Matrix"), Place::Centre, "Ctrl+2", make<MatrixView>},
+    ViewEntry{"panorama", QT_TRANSLATE_NOOP("views", "Panorama"), Place::Centre, "Ctrl+3", make<PanoramaView>},
+    ViewEntry{"plan", QT_TRANSLATE_NOOP("views", "Plan"), Place::Centre, "Ctrl+4", make<PlanView>},
+    ViewEntry{"section", QT_TRANSLATE_NOOP("views", "Section"), Place::Centre, "Ctrl+5", make<SectionView>},
     ViewEntry{"card", QT_TRANSLATE_NOOP("views", "Record card"), Place::Right, "Ctrl+0", make<CardPanel>},
     ViewEntry{"problems", QT_TRANSLATE_NOOP("views", "Problems"), Place::Bottom, "Ctrl+9", make<ProblemPanel>},
     ViewEntry{"history", QT_TRANSLATE_NOOP("views", "History"), Place::Bottom, "Ctrl+H", make<HistoryPanel>},

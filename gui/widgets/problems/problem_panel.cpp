@@ -122,6 +122,7 @@ ProblemPanel::ProblemPanel(Models& models)
     connect(sign_off, &QPushButton::clicked, &models_.problems, &ProblemListModel::sign_off);
     auto* head = new QHBoxLayout;
     head->setContentsMargins(10, 6, 10, 6);
+    head->setSpacing(14);
     head->addWidget(summary_, 1);
     head->addWidget(remarks);
     head->addWidget(sign_off);

@@ -15,6 +15,7 @@
 
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/theme.hpp"
+#include "gui/widgets/time/time_line.hpp"
 #include "gui/widgets/view.hpp"
 #include "gui/widgets/window/job_sign.hpp"
 #include "gui/widgets/window/notice_bar.hpp"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(const app::Session& session)
     column->setSpacing(0);
     column->addWidget(notice_);
     column->addWidget(tabs_, 1);
+    column->addWidget(new TimeLine(models_.time));
     tabs_->setDocumentMode(true);
     setCentralWidget(middle);
     make_actions();

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "gui/viewmodels/panorama_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/regions/pixel_outlines.hpp"
+#include "app/regions/region_layout.hpp"
+#include "app/scans/list_scans.hpp"
+#include "app/scans/scan_stores.hpp"
+#include "core/base/error.hpp"
+#include "gui/viewmodels/time_model.hpp"
+#include "gui/viewmodels/words.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+std::optional<geometry::Rigid3> pose_of(const model::Record& record, model::ScanId scan) {
+    const model::ScanPose* pose = app::accepted_pose(record, scan);
+    if (pose == nullptr) return std::nullopt;
+    geometry::Rigid3 site_from_scan;
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) {
+            site_from_scan.rotation(r, c) = pose->site_from_scan[static_cast<std::size_t>(4 * r + c)];
+        }
+        site_from_scan.translation(r) = pose->site_from_scan[static_cast<std::size_t>(4 * r + 3)];
+    }
+    return site_from_scan;
+}
+
+} // namespace
+
+PanoramaModel::PanoramaModel(Workspace& workspace, TimeModel& time, QObject* parent)
+    : QObject(parent), workspace_(workspace), time_(time) {
+    connect(&time_, &TimeModel::moved, this, &PanoramaModel::take_surface);
+    connect(&workspace_, &Workspace::snapshotChanged, this, &PanoramaModel::take_surface);
+    connect(&workspace_, &Workspace::closed, this, [this] {
+        loaded_.reset();
+        scan_.clear();
+        trouble_.clear();
+        stale_ = true;
+        emit changed();
+    });
+}
+
+void PanoramaModel::set_watched(bool watched) {
+    watched_ = watched;
+    if (watched_ && stale_) load();
+}
+
+QStringList PanoramaModel::scans() const {
+    QStringList names;
+    if (!workspace_.is_open()) return names;
+    for (const model::Scan& scan : workspace_.snapshot()->record().scans) {
+        if (scan.surface == time_.surface()) names << qt(scan.name);
+    }
+    return names;
+}
+
+void PanoramaModel::take_surface() {
+    const QStringList there = scans();
+    if (!there.contains(qt(scan_))) {
+        scan_ = there.isEmpty() ? std::string{} : there.front().toStdString();
+        loaded_.reset();
+        stale_ = true;
+        if (watched_) load();
+    }
+    emit changed();
+}
+
+void PanoramaModel::set_scan(const QString& name) {
+    if (name.toStdString() == scan_) return;
+    scan_ = name.toStdString();
+    load();
+}
+
+void PanoramaModel::set_projection(const QString& projection) {
+    request_.projection = projection.toStdString();
+    load();
+}
+
+void PanoramaModel::set_channel(const QString& channel) {
+    request_.channel = channel.toStdString();
+    load();
+}
+
+void PanoramaModel::load() {
+    stale_ = true;
+    trouble_.clear();
+    if (!watched_ || scan_.empty() || !workspace_.is_open()) return;
+    stale_ = false;
+    loading_ = true;
+    emit changed();
+    workspace_.read(
+        QStringLiteral("panorama"), tr("Unrolling %1").arg(qt(scan_)),
+        [this, name = scan_, request = request_](app::Project& project, Progress& progress) -> JobRunner::Done {
+            const model::Scan scan = app::scan_named(project, name);
+            const auto store = app::open_store(project.path(), scan, progress);
+            const scans::ScanExtent extent = app::scan_extent(*store, progress);
+            scans::Panorama panorama = app::scan_panorama(*store, extent, request, progress);
+            scans::Picture picture = panorama.picture(app::panorama_channel(*store, request.channel));
+            auto loaded = std::make_shared<const LoadedPanorama>(
+                LoadedPanorama{scan, std::move(panorama), std::move(picture), pose_of(project.record(), scan.id)});
+            return [this, loaded] {
+                loaded_ = loaded;
+                loading_ = false;
+                emit changed();
+            };
+        },
+        [this](const QString& sentence) {
+            loaded_.reset();
+            loading_ = false;
+            trouble_ = sentence;
+            emit changed();
+        });
+}
+
+std::vector<PointList> ring_in_picture(const scans::Projection& projection, const geometry::Rigid3& scan_from_site,
+                                       const model::Ring& ring) {
+    constexpr double kPiece = 0.05; // [m]: between corners lines are straight on the ground, not in the picture
+    constexpr int kMostPieces = 200;
+    std::vector<PointList> pieces(1);
+    QPointF last;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Eigen::Vector3d a = scan_from_site * Eigen::Vector3d(ring[i].data());
+        const Eigen::Vector3d b = scan_from_site * Eigen::Vector3d(ring[(i + 1) % ring.size()].data());
+        const int steps = std::clamp(static_cast<int>((b - a).norm() / kPiece), 1, kMostPieces);
+        for (int s = 0; s < steps; ++s) {
+            const auto pixel = projection.pixel_of(a + (b - a) * (static_cast<double>(s) / steps));
+            const QPointF at = pixel ? QPointF(pixel->x(), pixel->y()) : QPointF();
+            const bool jumps =
+                pixel && !pieces.back().isEmpty() && std::abs(at.x() - last.x()) > projection.options().width / 2.0;
+            if ((!pixel || jumps) && !pieces.back().isEmpty()) pieces.emplace_back();
+            if (!pixel) continue;
+            pieces.back() << at;
+            last = at;
+        }
+    }
+    std::erase_if(pieces, [](const PointList& piece) { return piece.size() < 3; });
+    return pieces;
+}
+
+std::vector<RegionShape> PanoramaModel::shapes() const {
+    if (!loaded_ || !loaded_->site_from_scan || !workspace_.is_open()) return {};
+    const app::Snapshot& snapshot = *workspace_.snapshot();
+    const geometry::Rigid3 scan_from_site = loaded_->site_from_scan->inverse();
+    std::vector<RegionShape> shapes = regions_in_plan(snapshot, loaded_->scan.surface);
+    for (RegionShape& shape : shapes) {
+        shape.rings.clear();
+        for (const model::Region& region : snapshot.record().regions) {
+            if (region.id != shape.region) continue;
+            for (const model::Polygon& polygon : region.outline) {
+                // What was drawn in plan has no heights and cannot be seen from the scanner.
+                const bool flat =
+                    std::all_of(polygon.outer.begin(), polygon.outer.end(), [](const auto& p) { return p[2] == 0.0; });
+                if (flat) continue;
+                for (PointList& ring : ring_in_picture(loaded_->panorama.projection(), scan_from_site, polygon.outer)) {
+                    shape.rings.push_back(std::move(ring));
+                }
+            }
+        }
+        if (!shape.rings.empty()) shape.middle = bounds_of(shape.rings.front()).center();
+    }
+    std::erase_if(shapes, [](const RegionShape& shape) { return shape.rings.empty(); });
+    return shapes;
+}
+
+QString PanoramaModel::place_text(QPointF pixel) const {
+    if (!loaded_ || pixel.x() < 0 || pixel.y() < 0) return {};
+    const auto place = loaded_->panorama.surface_at({pixel.x(), pixel.y()});
+    if (!place) return tr("nothing was measured here");
+    if (!loaded_->site_from_scan) return tr("%1 m from the scanner").arg(place->norm(), 0, 'f', 2);
+    const Eigen::Vector3d site = *loaded_->site_from_scan * *place;
+    return tr("x %1  y %2  height %3 m").arg(site.x(), 0, 'f', 2).arg(site.y(), 0, 'f', 2).arg(site.z(), 0, 'f', 2);
+}
+
+QString PanoramaModel::why_no_ground() const {
+    if (!loaded_) return {};
+    return loaded_->site_from_scan
+               ? QString()
+               : tr("This scan is not on the site grid yet: register it, then outlines can be drawn.");
+}
+
+OutlineTool::ToOutlines PanoramaModel::ground() const {
+    if (!loaded_ || !loaded_->site_from_scan) return {};
+    return [loaded = loaded_](app::Project&, const app::DrawnOutline& labels, const PointList& corners, Progress&) {
+        app::DrawnOutline outline = labels;
+        outline.on_surface = loaded->scan.surface;
+        outline.drawn_on = "panorama";
+        geometry::Line3 ring;
+        for (const QPointF& p : corners) ring.push_back({p.x(), p.y(), 0.0});
+        outline.shape = app::outline_under_pixels(loaded->panorama, *loaded->site_from_scan, {{ring}});
+        return app::OutlineFile{{outline}, {}};
+    };
+}
+
+} // namespace planum::gui

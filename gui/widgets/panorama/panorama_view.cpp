@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/panorama/panorama_view.hpp"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "gui/viewmodels/models.hpp"
+#include "gui/widgets/flat/outline_bar.hpp"
+#include "gui/widgets/theme.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+const QString kPanorama = QStringLiteral("panorama");
+
+QImage image_of(const scans::Picture& picture) {
+    const QImage borrowed(picture.values.data(), picture.width, picture.height, picture.width * picture.channels,
+                          picture.channels == 1 ? QImage::Format_Grayscale8 : QImage::Format_RGB888);
+    return borrowed.copy();
+}
+
+} // namespace
+
+PanoramaCanvas::PanoramaCanvas(Models& models_in, PanoramaModel& panorama)
+    : FlatCanvas(models_in, kPanorama, Up::Downwards), panorama_(panorama) {
+    setAccessibleName(tr("Panorama"));
+}
+
+QRectF PanoramaCanvas::extent() const {
+    return shown_ ? QRectF(0.0, 0.0, shown_->picture.width, shown_->picture.height) : QRectF();
+}
+
+QString PanoramaCanvas::empty_text() const {
+    if (panorama_.is_loading()) return tr("unrolling the scan …");
+    if (!panorama_.trouble().isEmpty()) return panorama_.trouble();
+    return tr("No scan of this surface yet. Add scans from the project menu, or drop files on the window.");
+}
+
+void PanoramaCanvas::refresh() {
+    if (shown_ != panorama_.loaded()) {
+        const bool same_size = shown_ && panorama_.loaded() &&
+                               shown_->picture.width == panorama_.loaded()->picture.width &&
+                               shown_->scan.id == panorama_.loaded()->scan.id;
+        shown_ = panorama_.loaded();
+        halves_.clear();
+        if (shown_) halves_.push_back(image_of(shown_->picture));
+        while (shown_ && halves_.back().width() > 1500) {
+            halves_.push_back(halves_.back().scaled(halves_.back().width() / 2,
+                                                    std::max(halves_.back().height() / 2, 1), Qt::IgnoreAspectRatio,
+                                                    Qt::SmoothTransformation));
+        }
+        if (!same_size) fit();
+    }
+    set_shapes(panorama_.shapes());
+}
+
+void PanoramaCanvas::paint_ground(QPainter& painter, const QRectF& seen) {
+    if (halves_.empty()) return;
+    std::size_t level = 0;
+    while (level + 1 < halves_.size() && scale() * static_cast<double>(2U << level) <= 1.0) ++level;
+    const QImage& image = halves_[level];
+    const QRectF part = seen.intersected(extent());
+    const double shrink = image.width() / extent().width();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 3.0);
+    painter.drawImage(part, image, QRectF(part.topLeft() * shrink, part.size() * shrink));
+}
+
+void PanoramaCanvas::paint_over(QPainter&) {}
+
+PanoramaView::PanoramaView(Models& models)
+    : models_(models), panorama_(models.workspace, models.time), canvas_(new PanoramaCanvas(models, panorama_)),
+      bar_(new OutlineBar(models, kPanorama)), scan_(new QComboBox), projection_(new QComboBox),
+      channel_(new QComboBox), place_(new QLabel) {
+    setObjectName(kPanorama);
+    scan_->setAccessibleName(tr("Scan"));
+    scan_->setObjectName(QStringLiteral("panoramaScan"));
+    scan_->setMinimumWidth(180);
+    projection_->setAccessibleName(tr("Projection"));
+    for (const char* name : {"equirectangular", "cylindrical", "mercator", "miller", "equal-area", "rectilinear",
+                             "pannini", "stereographic"}) {
+        projection_->addItem(QString::fromLatin1(name));
+    }
+    channel_->setAccessibleName(tr("Channel"));
+    channel_->addItem(tr("as scanned"), QString());
+    channel_->addItem(tr("reflectance"), QStringLiteral("reflectance"));
+    channel_->addItem(tr("range"), QStringLiteral("range"));
+    channel_->addItem(tr("colour"), QStringLiteral("colour"));
+    channel_->addItem(tr("shaded"), QStringLiteral("normals"));
+    connect(scan_, &QComboBox::textActivated, &panorama_, &PanoramaModel::set_scan);
+    connect(projection_, &QComboBox::textActivated, &panorama_, &PanoramaModel::set_projection);
+    connect(channel_, &QComboBox::activated, this,
+            [this] { panorama_.set_channel(channel_->currentData().toString()); });
+    place_->setProperty("role", "faint");
+    place_->setMinimumWidth(230);
+    auto* fit = new QToolButton;
+    fit->setText(tr("Fit"));
+    connect(fit, &QToolButton::clicked, canvas_, &FlatCanvas::fit);
+    auto* choices = new QHBoxLayout;
+    choices->setContentsMargins(8, 6, 8, 0);
+    for (QWidget* box : std::initializer_list<QWidget*>{scan_, projection_, channel_}) choices->addWidget(box);
+    choices->addStretch(1);
+    choices->addWidget(place_);
+    choices->addWidget(fit);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(choices);
+    column->addWidget(bar_);
+    column->addWidget(canvas_, 1);
+    setFocusProxy(canvas_);
+    connect(canvas_, &FlatCanvas::hovered, this, [this](QPointF p) { place_->setText(panorama_.place_text(p)); });
+    connect(&panorama_, &PanoramaModel::changed, this, &PanoramaView::refresh);
+    refresh();
+}
+
+void PanoramaView::refresh() {
+    const QStringList names = panorama_.scans();
+    QStringList shown;
+    for (int i = 0; i < scan_->count(); ++i) shown << scan_->itemText(i);
+    if (names != shown) {
+        scan_->clear();
+        scan_->addItems(names);
+    }
+    scan_->setCurrentText(panorama_.scan());
+    scan_->setEnabled(!names.isEmpty());
+    if (ground_of_ != panorama_.loaded().get()) {
+        ground_of_ = panorama_.loaded().get();
+        bar_->set_ground(panorama_.ground(), panorama_.why_no_ground());
+    }
+    canvas_->refresh();
+}
+
+void PanoramaView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    panorama_.set_watched(true);
+}
+
+void PanoramaView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    panorama_.set_watched(false);
+}
+
+} // namespace planum::gui

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+#include "gui/widgets/flat/flat_canvas.hpp"
+
+class QLabel;
+
+namespace planum::gui {
+
+class OutlineBar;
+
+/// The plan of the surface that the time line shows: site grid, outlines, finds, levels, stations, sections.
+class PlanCanvas : public FlatCanvas {
+    Q_OBJECT
+
+  public:
+    explicit PlanCanvas(Models& models);
+
+    void refresh();
+
+  protected:
+    void paint_ground(QPainter& painter, const QRectF& seen) override;
+    void paint_over(QPainter& painter) override;
+
+    [[nodiscard]] QRectF extent() const override { return extent_; }
+
+    [[nodiscard]] QString empty_text() const override;
+
+  private:
+    struct Mark {
+        enum class Kind { Find, Level, Station } kind = Kind::Find;
+        QPointF place;
+        QString label;
+        model::UnitId unit;
+    };
+
+    struct SectionLine {
+        QPointF from;
+        QPointF to;
+        QString name;
+    };
+
+    void paint_marks(QPainter& painter);
+    void paint_scale_bar(QPainter& painter);
+
+    QRectF extent_;
+    std::vector<Mark> marks_;
+    std::vector<SectionLine> sections_;
+};
+
+class PlanView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PlanView(Models& models);
+
+  private:
+    void refresh();
+
+    Models& models_;
+    PlanCanvas* canvas_;
+    OutlineBar* bar_;
+    QLabel* place_;
+};
+
+} // namespace planum::gui
