@@ -27,33 +27,48 @@ PanoramaBuilder::PanoramaBuilder(const PanoramaOptions& options, Columns has) : 
 
 void PanoramaBuilder::add(const PointBlock& block) {
     Panorama& p = panorama_;
-    if (block.size() > pixels_.capacity() - pixels_.size()) {
-        const std::size_t room = std::max(2 * pixels_.capacity(), pixels_.size() + block.size());
-        pixels_.reserve(room);
-        p.places_.reserve(room);
-        p.ranges_.reserve(room);
-        p.sources_.reserve(room);
-    }
-    const bool keep_grid = p.has_.grid && p.options_.gaps.most_pixels > 0;
-    for (std::size_t i = 0; i < block.size(); ++i) {
+    const std::size_t size = block.size();
+    if (size > kMostPoints - added_) throw Error(ErrorCode::BadInput, "a panorama holds at most 4,294 million points");
+    block_pixels_.resize(size);
+    p.projection_.indices_of(block.x, block.y, block.z, block_pixels_);
+    // Grown by whole blocks and cut back, so that nothing is asked point by point.
+    const auto columns = [&](auto change) {
+        change(pixels_);
+        change(p.places_);
+        change(p.ranges_);
+        change(p.sources_);
+        if (p.has_.intensity) change(p.intensities_);
+        if (p.has_.colour) change(p.colours_);
+        if (keep_grid()) change(rows_);
+        if (keep_grid()) change(columns_);
+    };
+    std::size_t to = pixels_.size();
+    columns([&](auto& column) { column.resize(to + size); });
+    const bool grid = keep_grid();
+    for (std::size_t i = 0; i < size; ++i) {
         if (block.validity[i] != Validity::Valid) continue;
-        const std::uint64_t source = added_++;
-        if (source >= kMostPoints) throw Error(ErrorCode::BadInput, "a panorama holds at most 4,294 million points");
-        const double range = std::sqrt(block.x[i] * block.x[i] + block.y[i] * block.y[i] + block.z[i] * block.z[i]);
-        if (!(range > 0.0)) continue; // the scanner's own place has no direction
-        const std::int64_t pixel = p.projection_.index_of(block.x[i], block.y[i], block.z[i]);
-        if (pixel < 0) continue;
-        pixels_.push_back(static_cast<std::uint32_t>(pixel));
-        p.places_.push_back(
-            {static_cast<float>(block.x[i]), static_cast<float>(block.y[i]), static_cast<float>(block.z[i])});
-        p.ranges_.push_back(static_cast<float>(range));
-        p.sources_.push_back(static_cast<std::uint32_t>(source));
-        if (p.has_.intensity) p.intensities_.push_back(block.intensity[i]);
-        if (p.has_.colour) p.colours_.push_back(block.colour[i]);
-        if (!keep_grid) continue;
-        rows_.push_back(block.row[i]);
-        columns_.push_back(block.column[i]);
+        const auto source = static_cast<std::uint32_t>(added_++);
+        const double x = block.x[i];
+        const double y = block.y[i];
+        const double z = block.z[i];
+        const auto range = static_cast<float>(std::sqrt(x * x + y * y + z * z));
+        // The scanner's own place has no direction.
+        if (block_pixels_[i] == Projection::kOutside || !(range > 0.0F)) continue;
+        pixels_[to] = block_pixels_[i];
+        p.places_[to] = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+        p.ranges_[to] = range;
+        p.sources_[to] = source;
+        if (p.has_.intensity) p.intensities_[to] = block.intensity[i];
+        if (p.has_.colour) p.colours_[to] = block.colour[i];
+        if (grid) rows_[to] = block.row[i];
+        if (grid) columns_[to] = block.column[i];
+        ++to;
     }
+    columns([&](auto& column) { column.resize(to); });
+}
+
+bool PanoramaBuilder::keep_grid() const noexcept {
+    return panorama_.has_.grid && panorama_.options_.gaps.most_pixels > 0;
 }
 
 Panorama PanoramaBuilder::finish(Progress& progress) {

@@ -127,10 +127,13 @@ class PanoramaBuilder {
     [[nodiscard]] Panorama finish(Progress& progress);
 
   private:
+    [[nodiscard]] bool keep_grid() const noexcept;
+
     Panorama panorama_;
     std::vector<std::uint32_t> pixels_; ///< of each point
     std::vector<std::uint32_t> rows_;   ///< of the scanner's grid, where gaps are closed along it
     std::vector<std::uint32_t> columns_;
+    std::vector<std::uint32_t> block_pixels_; ///< of the block that is being added
     std::uint64_t added_ = 0;
 };
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include <fmt/format.h>
 
 #include "core/base/error.hpp"
+#include "scans/panorama/quick_angle.hpp"
 
 namespace planum::scans {
 
@@ -28,30 +30,50 @@ std::optional<ProjectionKind> projection_from_name(std::string_view name) noexce
     return static_cast<ProjectionKind>(found - kNames.begin());
 }
 
-bool Projection::has_views() const noexcept {
-    return options_.kind == ProjectionKind::Rectilinear || options_.kind == ProjectionKind::Pannini ||
-           options_.kind == ProjectionKind::Stereographic;
+namespace {
+
+constexpr bool with_views(ProjectionKind kind) noexcept {
+    return kind == ProjectionKind::Rectilinear || kind == ProjectionKind::Pannini ||
+           kind == ProjectionKind::Stereographic;
 }
 
-// Height in the picture's plane by the tangent of the elevation, for the projections around a cylinder.
-double Projection::height_of(double tangent) const noexcept {
-    switch (options_.kind) {
-    case ProjectionKind::Equirectangular: return std::atan(tangent);
-    case ProjectionKind::Cylindrical: return tangent;
-    case ProjectionKind::Mercator:
-        return std::copysign(std::log(std::abs(tangent) + std::sqrt(1.0 + tangent * tangent)), tangent);
-    case ProjectionKind::Miller: {
+// Height in the picture's plane, for the projections around a cylinder: `up` over `flat` is the tangent of the
+// elevation.
+template<ProjectionKind K>
+double height_of(double up, double flat) noexcept {
+    if constexpr (K == ProjectionKind::Equirectangular) return quick_atan2(up, flat);
+    if constexpr (K == ProjectionKind::Cylindrical) return up / flat;
+    if constexpr (K == ProjectionKind::Mercator) {
+        return std::copysign(std::log((std::abs(up) + std::sqrt(up * up + flat * flat)) / flat), up);
+    }
+    if constexpr (K == ProjectionKind::Miller) {
         // asinh(tan φ) = ½ log((1 + sin φ) / (1 − sin φ)), which is quicker.
-        const double sine = std::sin(0.8 * std::atan(tangent));
+        const double sine = std::sin(0.8 * quick_atan2(up, flat));
         return 0.625 * std::log((1.0 + sine) / (1.0 - sine));
     }
-    case ProjectionKind::EqualArea: return tangent / std::sqrt(1.0 + tangent * tangent);
-    case ProjectionKind::Rectilinear:
-    case ProjectionKind::Pannini:
-    case ProjectionKind::Stereographic: break;
-    }
-    return 0.0;
+    return up / std::sqrt(up * up + flat * flat); // equal-area
 }
+
+// Calls `work` with the kind as a constant.
+template<class Work>
+auto for_kind(ProjectionKind kind, Work work) {
+    using enum ProjectionKind;
+    switch (kind) {
+    case Equirectangular: return work(std::integral_constant<ProjectionKind, Equirectangular>{});
+    case Cylindrical: return work(std::integral_constant<ProjectionKind, Cylindrical>{});
+    case Mercator: return work(std::integral_constant<ProjectionKind, Mercator>{});
+    case Miller: return work(std::integral_constant<ProjectionKind, Miller>{});
+    case EqualArea: return work(std::integral_constant<ProjectionKind, EqualArea>{});
+    case Rectilinear: return work(std::integral_constant<ProjectionKind, Rectilinear>{});
+    case Pannini: return work(std::integral_constant<ProjectionKind, Pannini>{});
+    case Stereographic: break;
+    }
+    return work(std::integral_constant<ProjectionKind, Stereographic>{});
+}
+
+} // namespace
+
+bool Projection::has_views() const noexcept { return with_views(options_.kind); }
 
 double Projection::elevation_of(double height) const noexcept {
     switch (options_.kind) {
@@ -67,10 +89,10 @@ double Projection::elevation_of(double height) const noexcept {
     return 0.0;
 }
 
-// (a, b, c): direction in a view's own frame, a towards its middle, b to the left, c upwards.
+template<ProjectionKind K>
 Projection::Plane Projection::forward(double a, double b, double c) const noexcept {
-    if (options_.kind == ProjectionKind::Rectilinear) return {b / a, c / a};
-    if (options_.kind == ProjectionKind::Pannini) {
+    if constexpr (K == ProjectionKind::Rectilinear) return {b / a, c / a};
+    if constexpr (K == ProjectionKind::Pannini) {
         // Sharpless, Postle, German 2010: S = (d + 1) / (d + cos λ), x = S sin λ, y = S tan φ.
         const double flat = std::sqrt(a * a + b * b);
         const double s = (options_.distance + 1.0) / (options_.distance * flat + a);
@@ -125,16 +147,19 @@ Projection::Projection(const ProjectionOptions& options) : options_(options) {
         const double middle = options.azimuth_to - (view + 0.5) * view_angle_;
         middles_.push_back({std::cos(middle), std::sin(middle)});
     }
-    double bottom = 0.0;
-    if (has_views()) {
-        plane_left_ = forward(std::cos(view_angle_ / 2.0), std::sin(view_angle_ / 2.0), 0.0).x;
-        plane_top_ = forward(std::cos(options.elevation_to), 0.0, std::sin(options.elevation_to)).y;
-        bottom = forward(std::cos(options.elevation_from), 0.0, std::sin(options.elevation_from)).y;
-    } else {
-        plane_left_ = span / 2.0;
-        plane_top_ = height_of(std::tan(std::clamp(options.elevation_to, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
-        bottom = height_of(std::tan(std::clamp(options.elevation_from, -kPi / 2.0 + 1e-12, kPi / 2.0 - 1e-12)));
-    }
+    const double bottom = for_kind(options.kind, [&](auto kind) {
+        const double up = options.elevation_to;
+        const double down = options.elevation_from;
+        if constexpr (with_views(kind())) {
+            plane_left_ = forward<kind()>(std::cos(view_angle_ / 2.0), std::sin(view_angle_ / 2.0), 0.0).x;
+            plane_top_ = forward<kind()>(std::cos(up), 0.0, std::sin(up)).y;
+            return forward<kind()>(std::cos(down), 0.0, std::sin(down)).y;
+        } else {
+            plane_left_ = span / 2.0;
+            plane_top_ = height_of<kind()>(std::sin(up), std::cos(up));
+            return height_of<kind()>(std::sin(down), std::cos(down));
+        }
+    });
     scale_x_ = static_cast<double>(options.width) / views_ / (2.0 * plane_left_);
     scale_y_ = options.height / (plane_top_ - bottom);
 }
@@ -149,25 +174,45 @@ ProjectionOptions with_square_pixels(ProjectionOptions options, double step, int
     return options;
 }
 
-bool Projection::locate(double x, double y, double z, double& u, double& v) const noexcept {
+template<ProjectionKind K>
+Projection::Pixel Projection::locate(double x, double y, double z) const noexcept {
     // To the right of the left border, 0 … 2π.
-    double right = options_.azimuth_to - std::atan2(y, x);
-    if (right < 0.0) right += 2.0 * kPi;
-    if (right >= 2.0 * kPi) right -= 2.0 * kPi;
-    if (!has_views()) {
-        u = right * scale_x_;
-        v = (plane_top_ - height_of(z / std::sqrt(x * x + y * y))) * scale_y_;
+    double right = options_.azimuth_to - quick_atan2(y, x);
+    right = right < 0.0 ? right + 2.0 * kPi : right;
+    right = right >= 2.0 * kPi ? right - 2.0 * kPi : right;
+    if constexpr (!with_views(K)) {
+        return {right * scale_x_, (plane_top_ - height_of<K>(z, std::sqrt(x * x + y * y))) * scale_y_};
     } else {
         const int view = static_cast<int>(right / view_angle_);
-        if (view >= views_) return false;
+        if (view >= views_) return {};
         const Plane& middle = middles_[static_cast<std::size_t>(view)];
-        const Plane p = forward(middle.x * x + middle.y * y, middle.x * y - middle.y * x, z);
+        const Plane p = forward<K>(middle.x * x + middle.y * y, middle.x * y - middle.y * x, z);
         const double strip = static_cast<double>(options_.width) / views_;
         // A direction on the border between two views belongs to one of them whatever rounding says.
-        u = view * strip + std::clamp((plane_left_ - p.x) * scale_x_, 0.0, strip);
-        v = (plane_top_ - p.y) * scale_y_;
+        return {view * strip + std::clamp((plane_left_ - p.x) * scale_x_, 0.0, strip), (plane_top_ - p.y) * scale_y_};
     }
-    return u >= 0.0 && u <= options_.width && v >= 0.0 && v <= options_.height;
+}
+
+bool Projection::holds(const Pixel& pixel) const noexcept {
+    return pixel.u >= 0.0 && pixel.u <= options_.width && pixel.v >= 0.0 && pixel.v <= options_.height;
+}
+
+void Projection::indices_of(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                            std::span<std::uint32_t> out) const noexcept {
+    for_kind(options_.kind, [&](auto kind) {
+        const int last_column = options_.width - 1;
+        const int last_row = options_.height - 1;
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const Pixel pixel = locate<kind()>(x[i], y[i], z[i]);
+            if (!holds(pixel)) {
+                out[i] = kOutside;
+                continue;
+            }
+            const int column = std::min(static_cast<int>(pixel.u), last_column);
+            const int row = std::min(static_cast<int>(pixel.v), last_row);
+            out[i] = static_cast<std::uint32_t>(row * options_.width + column);
+        }
+    });
 }
 
 int Projection::view_at(double u) const noexcept {
@@ -175,18 +220,16 @@ int Projection::view_at(double u) const noexcept {
 }
 
 std::optional<Eigen::Vector2d> Projection::pixel_of(const Eigen::Vector3d& direction) const noexcept {
-    Eigen::Vector2d pixel;
-    if (!locate(direction.x(), direction.y(), direction.z(), pixel.x(), pixel.y())) return std::nullopt;
-    return pixel;
+    const Pixel pixel =
+        for_kind(options_.kind, [&](auto kind) { return locate<kind()>(direction.x(), direction.y(), direction.z()); });
+    if (!holds(pixel)) return std::nullopt;
+    return Eigen::Vector2d(pixel.u, pixel.v);
 }
 
 std::int64_t Projection::index_of(double x, double y, double z) const noexcept {
-    double u = 0.0;
-    double v = 0.0;
-    if (!locate(x, y, z, u, v)) return -1;
-    const std::int64_t column = std::min(static_cast<std::int64_t>(u), static_cast<std::int64_t>(options_.width) - 1);
-    const std::int64_t row = std::min(static_cast<std::int64_t>(v), static_cast<std::int64_t>(options_.height) - 1);
-    return row * options_.width + column;
+    std::uint32_t index = kOutside;
+    indices_of({&x, 1}, {&y, 1}, {&z, 1}, {&index, 1});
+    return index == kOutside ? -1 : std::int64_t{index};
 }
 
 std::optional<Eigen::Vector3d> Projection::ray_of(const Eigen::Vector2d& pixel) const noexcept {

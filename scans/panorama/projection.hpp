@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -64,8 +65,14 @@ class Projection {
     /// Which of the views side by side a place of the picture belongs to; 0 where there is only one.
     [[nodiscard]] int view_at(double u) const noexcept;
 
-    /// Index (row × width + column) of the pixel for (x, y, z), or -1. What panoramas are made with.
+    /// Index (row × width + column) of the pixel for (x, y, z), or -1.
     [[nodiscard]] std::int64_t index_of(double x, double y, double z) const noexcept;
+
+    static constexpr std::uint32_t kOutside = 0xFFFFFFFF;
+
+    /// index_of for many points at once, kOutside for -1: what panoramas are made with. All spans have one size.
+    void indices_of(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                    std::span<std::uint32_t> out) const noexcept;
 
   private:
     friend ProjectionOptions with_square_pixels(ProjectionOptions options, double step, int most_width);
@@ -76,9 +83,18 @@ class Projection {
     };
 
     [[nodiscard]] bool has_views() const noexcept;
-    [[nodiscard]] bool locate(double x, double y, double z, double& u, double& v) const noexcept;
-    [[nodiscard]] double height_of(double tangent) const noexcept;
+
+    struct Pixel {
+        double u = -1.0;
+        double v = -1.0;
+    };
+
+    template<ProjectionKind K>
+    [[nodiscard]] Pixel locate(double x, double y, double z) const noexcept;
+    [[nodiscard]] bool holds(const Pixel& pixel) const noexcept;
     [[nodiscard]] double elevation_of(double height) const noexcept;
+    /// Where a direction stands in the plane of its view: a towards the middle of the view, b to the left, c upwards.
+    template<ProjectionKind K>
     [[nodiscard]] Plane forward(double a, double b, double c) const noexcept;
     [[nodiscard]] Eigen::Vector3d backward(const Plane& p) const noexcept;
 
