@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/scans/verify_scans.hpp"
 #include "core/base/error.hpp"
 
 namespace planum::cli {
@@ -99,13 +100,23 @@ void run_info(const Context& context) {
 
 void run_verify(Context& context, bool clean) {
     app::Project project = context.open(clean ? OpenMode::ReadWrite : OpenMode::ReadOnly);
-    const auto problems = project.file().verify(*context.progress);
+    std::vector<std::pair<std::string, std::string>> problems;
+    for (const auto& problem : project.file().verify(*context.progress))
+        problems.emplace_back(problem.where, problem.what);
+    for (const auto& problem : app::verify_scans(project, *context.progress)) {
+        problems.emplace_back(problem.where, problem.what);
+    }
+    if (clean) {
+        const app::CleanedScans cleaned = app::clean_scans(project);
+        context.say(fmt::format("{} files that nothing needs removed, {:.1f} MB", cleaned.removed.size(),
+                                static_cast<double>(cleaned.bytes) / 1e6));
+    }
     if (context.json) {
         ordered_json list = ordered_json::array();
-        for (const auto& problem : problems) list.push_back({{"where", problem.where}, {"what", problem.what}});
+        for (const auto& [where, what] : problems) list.push_back({{"where", where}, {"what", what}});
         context.print({{"problems", list}});
     } else {
-        for (const auto& problem : problems) *context.out << problem.where << ": " << problem.what << '\n';
+        for (const auto& [where, what] : problems) *context.out << where << ": " << what << '\n';
         if (problems.empty()) *context.out << "no problem found in " << context.site << '\n';
     }
     if (!problems.empty()) context.status = exit_status(ErrorCode::BadInput);
@@ -182,8 +193,9 @@ void add_project_commands(CLI::App& root, Context& context) {
     add_command(root, context, "info", "what the project holds")->callback([&context] { run_info(context); });
 
     auto clean = std::make_shared<bool>(false);
-    CLI::App* verify = add_command(root, context, "verify", "check the file itself, deeply");
-    verify->add_flag("--clean", *clean, "also remove what can be made again");
+    CLI::App* verify =
+        add_command(root, context, "verify", "check the file itself, its scans and their points, deeply");
+    verify->add_flag("--clean", *clean, "also remove point stores that nothing needs any more");
     verify->callback([&context, clean] { run_verify(context, *clean); });
 
     auto target = std::make_shared<std::string>();

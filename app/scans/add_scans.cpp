@@ -110,7 +110,8 @@ class Planner {
 
     void add(const fs::path& path, Progress& progress) {
         progress.step("looking into " + path.filename().string());
-        const std::string hash = sha256_of_file(path);
+        progress.check();
+        const std::string hash = sha256_of_file(path, progress);
         if (const auto there = by_content_.find({hash, 0}); there != by_content_.end()) {
             plan_.there_already.push_back({path.string(), there->second});
             return;
@@ -135,6 +136,8 @@ class Planner {
         model::Scan& scan = added.scan;
         scan.day = day_for(file.path, header, options_, added.notes);
         scan.format = scans::format_name(info.format);
+        // Whoever makes the store again must read the same columns.
+        if (!options_.columns.empty() && info.format == scans::ScanFormat::Xyz) scan.format += " " + options_.columns;
         scan.name = name_for(file.path, scan.day, scan.format, cloud);
         scan.path = path_to_keep(project_.path(), file.path);
         scan.sha256 = hash;
@@ -209,10 +212,14 @@ class MadeStores {
 
 void make_stores(const Project& project, Plan& plan, MadeStores& made, Progress& progress) {
     made.make_folder(scans_folder(project.path()));
+    std::size_t clouds = 0;
+    for (const Plan::File& file : plan.files) clouds += file.clouds.size();
+    std::size_t number = 0;
     for (Plan::File& file : plan.files) {
         for (AddedScan& added : file.clouds) {
             model::Scan& scan = added.scan;
-            progress.step("reading " + scan.name);
+            const std::string place = clouds > 1 ? fmt::format(" ({} of {})", ++number, clouds) : "";
+            progress.step("reading " + scan.name + place);
             const fs::path store = store_path(project.path(), scan);
             const auto cloud = static_cast<std::size_t>(scan.cloud);
             const bool was_there = fs::exists(store);

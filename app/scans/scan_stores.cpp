@@ -15,36 +15,6 @@ namespace planum::app {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-void rebuild(const fs::path& project, const model::Scan& scan, const fs::path& file, Progress& progress) {
-    const fs::path original = original_path(project, scan);
-    if (!fs::exists(original)) {
-        throw Error(
-            ErrorCode::NotFound,
-            fmt::format("scan {}: its points are not in {} and the original {} is not there either; put it back "
-                        "or add the scan again from where it is now",
-                        scan.name, file.filename().string(), original.string()));
-    }
-    if (sha256_of_file(original) != scan.sha256) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("scan {}: {} is no longer the file that was added (its hash differs)", scan.name,
-                                original.string()));
-    }
-    progress.step("making the point store of " + scan.name + " again");
-    const auto reader = scans::open_scan(original, {}, progress);
-    const auto cloud = static_cast<std::size_t>(scan.cloud);
-    if (cloud >= reader->clouds().size()) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("scan {}: {} has no cloud {}", scan.name, original.string(), cloud));
-    }
-    fs::create_directories(file.parent_path());
-    scans::build_store(*reader, cloud, file, scans::store_info(reader->clouds()[cloud], scan.name, scan.sha256, cloud),
-                       {}, progress);
-}
-
-} // namespace
-
 fs::path scans_folder(const fs::path& project) {
     fs::path folder = project;
     return folder.replace_extension(".scans");
@@ -59,6 +29,40 @@ fs::path original_path(const fs::path& project, const model::Scan& scan) {
     return path.is_absolute() ? path : (project.parent_path() / path).lexically_normal();
 }
 
+std::string stated_columns(const model::Scan& scan) {
+    const std::size_t blank = scan.format.find(' ');
+    return blank == std::string::npos ? std::string() : scan.format.substr(blank + 1);
+}
+
+void rebuild_store(const fs::path& project, const model::Scan& scan, Progress& progress) {
+    const fs::path file = store_path(project, scan);
+    const fs::path original = original_path(project, scan);
+    if (!fs::exists(original)) {
+        throw Error(
+            ErrorCode::NotFound,
+            fmt::format("scan {}: its points are not in {} and the original {} is not there either; put it back "
+                        "or add the scan again from where it is now",
+                        scan.name, file.filename().string(), original.string()));
+    }
+    if (sha256_of_file(original, progress) != scan.sha256) {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("scan {}: {} is no longer the file that was added (its hash differs)", scan.name,
+                                original.string()));
+    }
+    progress.step("making the point store of " + scan.name + " again");
+    const auto reader = scans::open_scan(original, {stated_columns(scan)}, progress);
+    const auto cloud = static_cast<std::size_t>(scan.cloud);
+    if (cloud >= reader->clouds().size()) {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("scan {}: {} has no cloud {}", scan.name, original.string(), cloud));
+    }
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error) throw Error(ErrorCode::Io, file.parent_path().string() + ": cannot be made: " + error.message());
+    scans::build_store(*reader, cloud, file, scans::store_info(reader->clouds()[cloud], scan.name, scan.sha256, cloud),
+                       {}, progress);
+}
+
 std::shared_ptr<const scans::PointStore> open_store(const fs::path& project, const model::Scan& scan,
                                                     Progress& progress) {
     const fs::path file = store_path(project, scan);
@@ -70,7 +74,7 @@ std::shared_ptr<const scans::PointStore> open_store(const fs::path& project, con
             // No sound store, e.g. of an older format: it is only a cache.
         }
     }
-    rebuild(project, scan, file, progress);
+    rebuild_store(project, scan, progress);
     return std::make_shared<const scans::PointStore>(scans::PointStore::open(file));
 }
 

@@ -29,6 +29,13 @@ namespace planum::app {
 [[nodiscard]] std::shared_ptr<const scans::PointStore> open_store(const std::filesystem::path& project,
                                                                   const model::Scan& scan, Progress& progress);
 
+/// The columns that somebody stated for a table of points; they stand behind the format's name. Empty: guessed.
+[[nodiscard]] std::string stated_columns(const model::Scan& scan);
+
+/// Makes the points of a scan again from its original, whose hash must be the recorded one; what is there is replaced
+/// when the new store is whole. Throws like open_store.
+void rebuild_store(const std::filesystem::path& project, const model::Scan& scan, Progress& progress);
+
 /// The pose that holds: that of the accepted run made last; nullptr when the scan has none.
 [[nodiscard]] const model::ScanPose* accepted_pose(const model::Record& record, model::ScanId scan);
 

@@ -2,6 +2,7 @@
 #include "core/base/sha256.hpp"
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <vector>
 
@@ -44,14 +45,22 @@ std::string sha256(std::string_view bytes) {
     return hash.finish();
 }
 
-std::string sha256_of_file(const std::filesystem::path& file) {
+std::string sha256_of_file(const std::filesystem::path& file, Progress& progress) {
+    constexpr std::uintmax_t report_every = 64U << 20U;
     std::ifstream in(file, std::ios::binary);
     if (!in) throw Error(ErrorCode::Io, file.string() + ": cannot be opened for reading");
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+    std::uintmax_t done = 0;
     Sha256 hash;
     std::vector<char> buffer(1U << 20U);
     while (in) {
         in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
         hash.add({buffer.data(), static_cast<std::size_t>(in.gcount())});
+        done += static_cast<std::uintmax_t>(in.gcount());
+        if (done % report_every != 0) continue;
+        progress.check();
+        progress.fraction(static_cast<double>(done) / static_cast<double>(size));
     }
     if (in.bad()) throw Error(ErrorCode::Io, file.string() + ": reading failed half-way");
     return hash.finish();

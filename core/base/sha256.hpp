@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/progress.hpp"
+
 namespace planum {
 
 /// SHA-256 in pieces. Invariant: finished exactly once.
@@ -29,7 +31,7 @@ class Sha256 {
 
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
-/// Hash of a file's content, read in pieces. Throws Io when it cannot be read.
-[[nodiscard]] std::string sha256_of_file(const std::filesystem::path& file);
+/// Hash of a file's content, read in pieces. Throws Io when it cannot be read, Cancelled.
+[[nodiscard]] std::string sha256_of_file(const std::filesystem::path& file, Progress& progress = Progress::none());
 
 } // namespace planum
