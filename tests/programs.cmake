@@ -11,6 +11,7 @@ planum_program_test(cli/report_schema cli ${cli}/report_schema.sh $<TARGET_FILE:
 planum_program_test(cli/real_sets cli python3 ${cli}/real_sets.py $<TARGET_FILE:planum> ${PROJECT_SOURCE_DIR}/../shared/data)
 planum_program_test(cli/kill_import cli python3 ${cli}/kill_import.py $<TARGET_FILE:planum> 10)
 planum_program_test(slow/kill_import_200 slow python3 ${cli}/kill_import.py $<TARGET_FILE:planum> 200)
+planum_program_test(cli/scan_trouble cli python3 ${cli}/scan_trouble.py $<TARGET_FILE:planum>)
 if(NOT PLANUM_SANITIZE)
   set(programs $<TARGET_FILE:planum>)
   if(TARGET planum-desktop)

@@ -383,11 +383,11 @@ StoreInfo store_info(const CloudHeader& header, std::string name, std::string so
 
 StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file, StoreInfo info,
                          const StoreOptions& options, Progress& progress) {
+    const std::string name = info.name;
     StoreBuilder builder(file, std::move(info), options);
-    progress.step("reading " + file.stem().string());
     reader.read(
         cloud, [&](const PointBlock& block) { builder.add(block); }, {}, progress);
-    progress.step("sorting " + file.stem().string());
+    progress.step("sorting the points of " + name);
     return builder.finish(progress);
 }
 

@@ -65,7 +65,7 @@ class StoreBuilder {
 [[nodiscard]] StoreInfo store_info(const CloudHeader& header, std::string name, std::string source_sha256,
                                    std::uint64_t source_cloud);
 
-/// Reads a cloud and makes its store.
+/// Reads a cloud and makes its store. The caller names the step of reading.
 StoreSummary build_store(ScanReader& reader, std::size_t cloud, const std::filesystem::path& file, StoreInfo info,
                          const StoreOptions& options, Progress& progress);
 
