@@ -37,6 +37,7 @@ void fill(CLI::App& root, Context& context) {
     add_record_commands(root, context);
     add_region_commands(root, context);
     add_survey_commands(root, context);
+    add_interpretation_commands(root, context);
     add_check_commands(root, context);
     add_matrix_commands(root, context);
     add_report_commands(root, context);

@@ -51,6 +51,8 @@ void add_record_commands(CLI::App& root, Context& context);
 /// After the record commands: adds to `region` what only regions have.
 void add_region_commands(CLI::App& root, Context& context);
 void add_survey_commands(CLI::App& root, Context& context);
+/// After the record commands: adds to `interpretation` the comparison of two.
+void add_interpretation_commands(CLI::App& root, Context& context);
 void add_check_commands(CLI::App& root, Context& context);
 void add_matrix_commands(CLI::App& root, Context& context);
 void add_report_commands(CLI::App& root, Context& context);

@@ -55,6 +55,7 @@ holds register register site.gpkg --method markers
 holds register-compare register site.gpkg --compare 1 2
 holds scan-list scan list site.gpkg
 holds survey-import survey import site.gpkg "$here/data/station.csv"
+holds interpretation-diff interpretation diff site.gpkg record record
 for kind in unit relation phase period group dating find level sample document area surface; do
   holds record-list "$kind" list site.gpkg
 done
