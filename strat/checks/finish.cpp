@@ -52,10 +52,17 @@ model::Diagnostic bundle(const CheckContext& c, std::vector<model::Diagnostic> a
     for (const model::Diagnostic& d : alike) {
         one.units.insert(one.units.end(), d.units.begin(), d.units.end());
         one.relations.insert(one.relations.end(), d.relations.begin(), d.relations.end());
-        if (names.size() < 5 && !d.units.empty()) names.push_back(c.index.name(d.units.front()));
+        if (names.size() >= 5) continue;
+        if (!d.units.empty()) {
+            names.push_back(c.index.name(d.units.front()));
+        } else if (const auto scan = d.evidence.find("scan"); scan != d.evidence.end()) {
+            names.push_back(std::get<std::string>(scan->second));
+        }
     }
     std::string what = one.code;
     if (one.code == "isolated-unit") what = "units stand in no order to any other unit";
+    if (one.code == "scan-unregistered") what = "scans are not on the site grid (planum register)";
+    if (one.code == "scan-poorly-registered") what = "scans are placed poorly";
     if (one.code == "dangling-unit") what = "units are named in relations but have no sheet of their own";
     one.message = fmt::format("{} {}, among them {}", alike.size(), what, list_names(names, names.size()));
     one.evidence["count"] = static_cast<std::int64_t>(alike.size());
@@ -102,7 +109,7 @@ std::string diagnostic_id(const CheckContext& context, const model::Diagnostic& 
         if (it == d.evidence.end()) return;
         if (const auto* text = std::get_if<std::string>(&it->second)) parts.push_back(key + "=" + *text);
     };
-    for (const std::string key : {"find", "source", "file", "note", "text"}) add_text(key);
+    for (const std::string key : {"find", "source", "file", "note", "text", "scan"}) add_text(key);
     return short_hash(d.code, parts);
 }
 
