@@ -48,6 +48,7 @@ std::span<const std::unique_ptr<RecordKind>> record_kinds() {
         add_chronology_kinds(all);
         add_measured_kinds(all);
         add_place_kinds(all);
+        add_interpretation_kind(all);
         return all;
     }();
     return kinds;

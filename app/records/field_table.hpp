@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -184,15 +185,16 @@ class FieldTableKind : public RecordKind {
   private:
     void assign(Project& project, T& value, const FieldValues& values) const {
         for (const auto& [name, text] : values) {
-            bool known = false;
-            for (const Field<T>& field : table_) {
-                if (field.info.name != name) continue;
-                field.set(value, text, project);
-                known = true;
-            }
-            if (!known) {
+            const auto is_it = [&](const FieldInfo& info) { return info.name == name; };
+            if (std::none_of(infos_.begin(), infos_.end(), is_it)) {
                 throw Error(ErrorCode::Usage,
                             fmt::format("{} has no field {}; see planum {} --help", word_, name, word_));
+            }
+        }
+        // In the order of the table: a later field may build on an earlier one.
+        for (const Field<T>& field : table_) {
+            for (const auto& [name, text] : values) {
+                if (field.info.name == name) field.set(value, text, project);
             }
         }
     }
@@ -245,5 +247,6 @@ class NamedKind : public FieldTableKind<T> {
 void add_chronology_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds);
 void add_measured_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds);
 void add_place_kinds(std::vector<std::unique_ptr<RecordKind>>& kinds);
+void add_interpretation_kind(std::vector<std::unique_ptr<RecordKind>>& kinds);
 
 } // namespace planum::app

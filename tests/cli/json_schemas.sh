@@ -28,6 +28,7 @@ holds import import site.gpkg "$here/data/tomorrow.csv" --dry-run
 "$planum" relation add -q site.gpkg 5 covers 1 >/dev/null
 "$planum" relation add -q site.gpkg 2 same_as 4 >/dev/null
 "$planum" phase add -q site.gpkg I --from -200 --to -100 >/dev/null
+"$planum" interpretation add -q site.gpkg Ada --adds "3 later 2" >/dev/null
 "$planum" find add -q site.gpkg F1 --unit 2 --z 9.9 >/dev/null
 holds matrix-stats matrix site.gpkg --stats
 holds check check site.gpkg
@@ -56,7 +57,7 @@ holds register-compare register site.gpkg --compare 1 2
 holds scan-list scan list site.gpkg
 holds survey-import survey import site.gpkg "$here/data/station.csv"
 holds interpretation-diff interpretation diff site.gpkg record record
-for kind in unit relation phase period group dating find level sample document area surface; do
+for kind in unit relation phase period group dating find level sample document area surface interpretation; do
   holds record-list "$kind" list site.gpkg
 done
 echo "$passed passed, $failed failed"
