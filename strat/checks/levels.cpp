@@ -17,16 +17,21 @@ using model::Severity;
 
 bool is_base(LevelRole role) { return role == LevelRole::Base || role == LevelRole::Cut; }
 
+// What lies on a slope may differ in height by so much for every metre in plan (45°) before two points contradict or
+// confirm anything.
+constexpr double kSlope = 1.0;
+
 struct NearPair {
     bool found = false;
     double upper = 0.0;
     double lower = 0.0;
+    double slope = 0.0; ///< what a slope between the two points may make up for [m]
 };
 
-// The two points of different units nearest to contradiction: `u`'s level lowest against `v`'s, both of
-// the roles asked for and within `near` of each other in plan.
+// The two points nearest to contradiction: `u`'s level lowest against `v`'s, both of the roles asked for and within
+// `near` of each other in plan; a slope between them speaks for the record (`sign` 1) or against it (−1).
 template<class RoleOfU, class RoleOfV>
-NearPair lowest_against(const CheckContext& c, UnitIndex u, RoleOfU of_u, UnitIndex v, RoleOfV of_v) {
+NearPair lowest_against(const CheckContext& c, UnitIndex u, RoleOfU of_u, UnitIndex v, RoleOfV of_v, double sign) {
     NearPair worst;
     for (const std::uint32_t i : c.levels_of(u)) {
         const model::Level& a = c.record.levels[i];
@@ -34,8 +39,12 @@ NearPair lowest_against(const CheckContext& c, UnitIndex u, RoleOfU of_u, UnitIn
         for (const std::uint32_t j : c.levels_of(v)) {
             const model::Level& b = c.record.levels[j];
             if (!of_v(b.role) || !b.x || !b.y) continue;
-            if (std::hypot(*a.x - *b.x, *a.y - *b.y) > c.options.near) continue;
-            if (!worst.found || a.z - b.z < worst.upper - worst.lower) worst = {true, a.z, b.z};
+            const double apart = std::hypot(*a.x - *b.x, *a.y - *b.y);
+            if (apart > c.options.near) continue;
+            const double slope = kSlope * apart;
+            if (!worst.found || a.z - b.z + sign * slope < worst.upper - worst.lower + sign * worst.slope) {
+                worst = {true, a.z, b.z, slope};
+            }
         }
     }
     return worst;
@@ -59,16 +68,16 @@ LevelJudgement judge_covers(const CheckContext& c, UnitIndex u, UnitIndex v) {
     const auto top = [](LevelRole role) { return role == LevelRole::Top; };
     // Levels on the surface of a cut say nothing about a body above or below.
     const auto base = [](LevelRole role) { return role == LevelRole::Base; };
-    const NearPair near = lowest_against(c, u, top, v, base);
-    if (near.found && near.upper < near.lower - tolerance) {
+    const NearPair near = lowest_against(c, u, top, v, base, 1.0);
+    if (near.found && near.upper + near.slope < near.lower - tolerance) {
         return contradicted(near.upper, "top", near.lower, "base", true);
     }
     if (hu.highest_top && hv.lowest_base && *hu.highest_top < *hv.lowest_base - tolerance) {
         return contradicted(*hu.highest_top, "highest level on top", *hv.lowest_base, "lowest level at the base",
                             false);
     }
-    const NearPair tops = lowest_against(c, u, top, v, top);
-    if (tops.found && tops.upper > tops.lower + tolerance)
+    const NearPair tops = lowest_against(c, u, top, v, top, -1.0);
+    if (tops.found && tops.upper - tops.slope > tops.lower + tolerance)
         return {LevelVerdict::Confirmed, {}, tops.upper, tops.lower, "top", "top", true};
     if (hu.lowest_base && hv.highest_top && *hu.lowest_base >= *hv.highest_top - tolerance) {
         return {LevelVerdict::Confirmed, {},   *hu.lowest_base, *hv.highest_top, "lowest level at the base",
@@ -113,10 +122,8 @@ void add_own_contradictions(const CheckContext& c, Findings& findings) {
             bottom = *h.lowest_base;
         } else {
             const auto pair = lowest_against(
-                c, u, [](LevelRole r) { return r == LevelRole::Top; }, u, is_base);
-            if (!pair.found || pair.upper >= pair.lower - c.record.settings.tolerance) continue;
-            // On a slope two points half a metre apart may differ by their own distance at most.
-            if (pair.lower - pair.upper < c.options.near) continue;
+                c, u, [](LevelRole r) { return r == LevelRole::Top; }, u, is_base, 1.0);
+            if (!pair.found || pair.upper + pair.slope >= pair.lower - c.record.settings.tolerance) continue;
             top = pair.upper;
             bottom = pair.lower;
             near = true;

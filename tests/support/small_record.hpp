@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,11 +80,14 @@ class SmallRecord {
         return relate(subject, model::RelationKind::Covers, object, sides);
     }
 
-    SmallRecord& level(std::string_view number, model::LevelRole role, double z) {
+    SmallRecord& level(std::string_view number, model::LevelRole role, double z, std::optional<double> x = {},
+                       std::optional<double> y = {}) {
         model::Level level;
         level.id = model::LevelId{ids_.next()};
         level.unit = unit(number).id;
         level.role = role;
+        level.x = x;
+        level.y = y;
         level.z = z;
         record_.levels.push_back(level);
         return *this;

@@ -83,6 +83,31 @@ TEST_CASE("Levels contradict a relation only when they exclude it") {
     CHECK(fill.said("level-contradiction").size() == 1);
 }
 
+TEST_CASE("Levels near each other judge a relation, less what a slope between them makes up for") {
+    // Unit 1 has a top far away that is high enough, so only the pair of near points can speak.
+    const auto said = [](double apart, double height_of_top) {
+        SmallRecord r;
+        r.covers("1", "2").level("1", LevelRole::Top, 12.0, 50.0, 0.0);
+        r.level("1", LevelRole::Top, height_of_top, 0.0, 0.0).level("2", LevelRole::Base, 10.0, apart, 0.0);
+        return r.said("level-contradiction").size();
+    };
+    CHECK(said(0.0, 9.95) == 1);
+    CHECK(said(0.0, 9.99) == 0); // within the tolerance of 2 cm
+    CHECK(said(0.4, 9.7) == 0);  // a slope of 45° loses 0.4 m over 0.4 m
+    CHECK(said(0.4, 9.5) == 1);
+    CHECK(said(0.6, 9.0) == 0); // too far apart to be compared
+}
+
+TEST_CASE("A top confirms what it covers only by more than a slope could") {
+    const auto confirmed = [](double apart) {
+        SmallRecord r;
+        r.covers("1", "2").level("1", LevelRole::Top, 10.2, 0.0, 0.0).level("2", LevelRole::Top, 10.0, apart, 0.0);
+        return r.check().coverage.confirmed;
+    };
+    CHECK(confirmed(0.1) == 1);
+    CHECK(confirmed(0.3) == 0);
+}
+
 TEST_CASE("Coverage says of every relation whether it could be judged, and else why not") {
     SmallRecord r;
     r.covers("1", "2").covers("2", "3").relate("3", RelationKind::Abuts, "4").relate("4", RelationKind::Later, "5");
