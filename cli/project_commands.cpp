@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/project/clean.hpp"
+#include "app/records/record_kind.hpp"
 #include "app/scans/verify_scans.hpp"
 #include "core/base/error.hpp"
 
@@ -98,18 +100,34 @@ void run_info(const Context& context) {
     }
 }
 
-void run_verify(Context& context, bool clean) {
-    app::Project project = context.open(clean ? OpenMode::ReadWrite : OpenMode::ReadOnly);
+struct VerifyOptions {
+    bool clean = false;
+    std::string forget_undo_before;
+};
+
+void say_cleaned(const Context& context, const app::Cleaned& cleaned) {
+    for (const auto& file : cleaned.removed) context.say("removed " + file.string());
+    context.say(fmt::format("removed {} files of {:.1f} MB; the project is {:.1f} MB shorter", cleaned.removed.size(),
+                            static_cast<double>(cleaned.removed_bytes) / 1e6,
+                            static_cast<double>(cleaned.freed_bytes) / 1e6));
+    if (cleaned.forgotten_changes > 0) {
+        context.say(fmt::format("{} changes can no longer be taken back", cleaned.forgotten_changes));
+    }
+}
+
+// A damaged project is not cleaned: what looks useless may be what a rescue needs.
+void run_verify(Context& context, const VerifyOptions& options) {
+    app::Project project = context.open(options.clean ? OpenMode::ReadWrite : OpenMode::ReadOnly);
     std::vector<std::pair<std::string, std::string>> problems;
     for (const auto& problem : project.file().verify(*context.progress))
         problems.emplace_back(problem.where, problem.what);
+    const bool is_sound = problems.empty();
     for (const auto& problem : app::verify_scans(project, *context.progress)) {
         problems.emplace_back(problem.where, problem.what);
     }
-    if (clean) {
-        const app::CleanedScans cleaned = app::clean_scans(project);
-        context.say(fmt::format("{} files that nothing needs removed, {:.1f} MB", cleaned.removed.size(),
-                                static_cast<double>(cleaned.bytes) / 1e6));
+    if (options.clean && is_sound) {
+        const std::string day = app::day_from("forget-undo-before", options.forget_undo_before);
+        say_cleaned(context, app::clean_project(project, day, *context.progress));
     }
     if (context.json) {
         ordered_json list = ordered_json::array();
@@ -192,11 +210,16 @@ void add_project_commands(CLI::App& root, Context& context) {
     add_new(root, context);
     add_command(root, context, "info", "what the project holds")->callback([&context] { run_info(context); });
 
-    auto clean = std::make_shared<bool>(false);
+    auto verifying = std::make_shared<VerifyOptions>();
     CLI::App* verify =
         add_command(root, context, "verify", "check the file itself, its scans and their points, deeply");
-    verify->add_flag("--clean", *clean, "also remove point stores that nothing needs any more");
-    verify->callback([&context, clean] { run_verify(context, *clean); });
+    CLI::Option* clean = verify->add_flag("--clean", verifying->clean,
+                                          "also remove point stores and files that nothing needs, and free space");
+    verify
+        ->add_option("--forget-undo-before", verifying->forget_undo_before,
+                     "with --clean: changes made before this day can no longer be taken back")
+        ->needs(clean);
+    verify->callback([&context, verifying] { run_verify(context, *verifying); });
 
     auto target = std::make_shared<std::string>();
     CLI::App* backup = add_command(root, context, "backup", "a checked copy, safe while others work");

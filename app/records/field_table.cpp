@@ -40,6 +40,8 @@ std::string date_from(const std::string& field, const std::string& text) {
     return date;
 }
 
+std::string day_from(const std::string& field, const std::string& text) { return date_from(field, text); }
+
 std::span<const std::unique_ptr<RecordKind>> record_kinds() {
     static const std::vector<std::unique_ptr<RecordKind>> kinds = [] {
         std::vector<std::unique_ptr<RecordKind>> all;

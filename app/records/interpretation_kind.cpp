@@ -81,6 +81,7 @@ void drop_from(Interpretation& reading, const std::string& text, Project& projec
 
 std::string added(const Interpretation& reading, Project& project) {
     std::vector<std::string> all;
+    all.reserve(reading.added.size());
     for (const PhysicalRelation& relation : reading.added) all.push_back(sentence(relation, project));
     return text::join(all, "; ");
 }

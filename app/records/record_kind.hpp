@@ -42,6 +42,9 @@ class RecordKind {
     virtual void remove(Project& project, const std::string& name) const = 0;
 };
 
+/// An ISO day, or empty for empty text. Throws BadInput that names the field.
+[[nodiscard]] std::string day_from(const std::string& field, const std::string& text);
+
 /// All kinds, in the order of the help.
 [[nodiscard]] std::span<const std::unique_ptr<RecordKind>> record_kinds();
 

@@ -197,6 +197,18 @@ void Database::stop_with(std::stop_token token) {
     }
 }
 
+void Database::compact() const {
+    // SQLite attaches the new file to the old one while it copies.
+    const int none = sqlite3_limit(connection_->handle, SQLITE_LIMIT_ATTACHED, 1);
+    try {
+        execute("VACUUM");
+    } catch (...) {
+        sqlite3_limit(connection_->handle, SQLITE_LIMIT_ATTACHED, none);
+        throw;
+    }
+    sqlite3_limit(connection_->handle, SQLITE_LIMIT_ATTACHED, none);
+}
+
 void Database::enable_triggers(bool on) const {
     sqlite3_db_config(connection_->handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, on ? 1 : 0, nullptr);
 }

@@ -80,6 +80,9 @@ class Database {
     /// Statements that run longer than a moment look at the token and end with Error{Cancelled}.
     void stop_with(std::stop_token token);
 
+    /// VACUUM: writes the file anew without free pages, outside a transaction.
+    void compact() const;
+
     void enable_triggers(bool on) const;
     void enable_foreign_keys(bool on) const; ///< outside a transaction only
 

@@ -165,4 +165,12 @@ ChangeEntry ProjectFile::undo() { return take_back(*state_); }
 
 ChangeEntry ProjectFile::redo() { return make_again(*state_); }
 
+std::size_t ProjectFile::forget_changes(std::string_view day) { return drop_changesets(*state_, day); }
+
+void ProjectFile::compact() {
+    state_->require_writable();
+    state_->statements.clear(); // compiled statements would hold the file open in the old shape
+    state_->database.compact();
+}
+
 } // namespace planum::store

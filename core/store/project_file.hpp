@@ -174,6 +174,12 @@ class ProjectFile {
     ChangeEntry undo();
     ChangeEntry redo();
     [[nodiscard]] std::vector<ChangeEntry> history(std::size_t most) const;
+    /// Drops what undo needs of the changes made before `day` (ISO date or time); the changes themselves, their line in
+    /// the history and the log stay. Returns how many can no longer be taken back. Undo steps are never dropped
+    /// unasked.
+    std::size_t forget_changes(std::string_view day);
+    /// Gives the space of deleted pages back to the disk. Needs room for a second copy meanwhile.
+    void compact();
     /// Log of one record (by uuid), or of all; newest first.
     [[nodiscard]] std::vector<LogEntry> log(std::optional<Uuid> record, std::size_t most) const;
 

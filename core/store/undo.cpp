@@ -27,6 +27,14 @@ constexpr std::string_view kNewestDone =
     "SELECT fid, label, author, made_at FROM planum_change WHERE state = 'done' ORDER BY fid DESC LIMIT 1";
 constexpr std::string_view kOldestUndone =
     "SELECT fid, label, author, made_at FROM planum_change WHERE state = 'undone' ORDER BY fid LIMIT 1";
+// Only the oldest changes without a gap, whatever the clock said in between: undo goes one by one.
+constexpr std::string_view kDroppable =
+    "SELECT c.fid FROM planum_change c WHERE c.state = 'done' AND c.fid < "
+    "(SELECT coalesce(min(later.fid), 9223372036854775807) FROM planum_change later WHERE later.made_at >= :before) "
+    "AND EXISTS (SELECT 1 FROM planum_change_chunk k WHERE k.change = c.fid)";
+constexpr std::string_view kHasOlder = "SELECT 1 FROM planum_change_chunk k JOIN planum_change c ON c.fid = k.change "
+                                       "WHERE c.state = 'done' AND c.fid < :number LIMIT 1";
+constexpr std::string_view kDropChunks = "DELETE FROM planum_change_chunk WHERE change = :number";
 constexpr std::string_view kSetState = "UPDATE planum_change SET state = :state WHERE fid = :number";
 constexpr std::string_view kInsertLog =
     "INSERT INTO planum_log(made_at, author, action, table_name, record, field, old_value, new_value, change) "
@@ -198,6 +206,11 @@ ChangeEntry run_step(ProjectFile::State& state, const Step& step) {
     sqlite::Transaction transaction(database);
     const ChangeEntry entry = find_change(state, step);
     const sqlite::Changeset changes = read_changeset(database, entry.number);
+    if (changes.empty()) {
+        throw Error(ErrorCode::Conflict, fmt::format("{}: {} \"{}\" of {} is no longer possible: undo steps up to then "
+                                                     "were forgotten",
+                                                     state.file.string(), step.action, entry.label, entry.made_at));
+    }
     apply_changeset(state, step, entry, changes);
     sqlite::Statement set_state = database.prepare(kSetState);
     set_state.bind(":state", step.state).bind(":number", entry.number).run();
@@ -234,6 +247,28 @@ sqlite::Changeset read_changeset(const sqlite::Database& database, std::int64_t 
         changes.insert(changes.end(), part.begin(), part.end());
     }
     return changes;
+}
+
+std::size_t drop_changesets(ProjectFile::State& state, std::string_view before) {
+    state.require_writable();
+    const sqlite::Database& database = state.database;
+    sqlite::Transaction transaction(database);
+    std::vector<std::int64_t> old;
+    {
+        sqlite::Statement rows = database.prepare(kDroppable);
+        rows.bind(":before", before);
+        while (rows.step()) old.push_back(rows.integer(0));
+    }
+    sqlite::Statement drop = database.prepare(kDropChunks);
+    for (const std::int64_t number : old) drop.bind(":number", number).run();
+    transaction.commit();
+    return old.size();
+}
+
+bool has_older_changeset(const sqlite::Database& database, std::int64_t change) {
+    sqlite::Statement row = database.prepare(kHasOlder);
+    row.bind(":number", change);
+    return row.step();
 }
 
 ChangeEntry take_back(ProjectFile::State& state) { return run_step(state, kUndo); }

@@ -18,6 +18,12 @@ void keep_change(ProjectFile::State& state, std::int64_t number, std::string_vie
 ChangeEntry take_back(ProjectFile::State& state);
 ChangeEntry make_again(ProjectFile::State& state);
 
+/// See ProjectFile::forget_changes.
+std::size_t drop_changesets(ProjectFile::State& state, std::string_view before);
+
+/// Whether a change older than this one can still be taken back: then its own changeset must be there, too.
+[[nodiscard]] bool has_older_changeset(const sqlite::Database& database, std::int64_t change);
+
 /// The changeset of one change, put together from its pieces.
 [[nodiscard]] sqlite::Changeset read_changeset(const sqlite::Database& database, std::int64_t change);
 

@@ -98,7 +98,10 @@ void check_changes(const sqlite::Database& database, Problems& problems) {
         const std::string where = fmt::format("change {} \"{}\"", number, changes.text(1));
         try {
             const sqlite::Changeset set = read_changeset(database, number);
-            if (set.empty()) throw Error(ErrorCode::BadInput, "the record of this change is missing");
+            if (set.empty()) {
+                if (!has_older_changeset(database, number)) continue; // forgotten on demand, the oldest first
+                throw Error(ErrorCode::BadInput, "the record of this change is missing");
+            }
             sqlite::for_each_row(set, sqlite::Direction::Inverse, [&](const sqlite::ChangedRow& row) {
                 const auto& tables = record_tables();
                 if (std::find(tables.begin(), tables.end(), row.table) == tables.end()) {

@@ -120,3 +120,44 @@ TEST_CASE("A change of the coordinate system is taken back with its geometries")
     CHECK(test::raw_rows(file) == before);
     CHECK(layers_of("-1") == 5);
 }
+
+TEST_CASE("Undo steps are forgotten from the oldest on and only when asked; the rest stays as it is") {
+    const test::TemporaryFolder folder;
+    test::TestEnvironment environment;
+    const auto file = folder / "site.gpkg";
+    ProjectFile project = ProjectFile::create(file, test::some_settings(), environment.get());
+    FixedClock later("2025-07-01T12:00:00.000Z");
+    project.change("June", [&] { project.insert(a_unit("1")); });
+    Environment july = environment.get();
+    july.clock = &later;
+    ProjectFile open = ProjectFile::open(file, OpenMode::ReadWrite, july);
+    open.change("July", [&] { open.insert(a_unit("2")); });
+    const std::string dump = open.canonical_dump();
+
+    CHECK(open.forget_changes("2025-06-01") == 0);
+    CHECK(open.forget_changes("2025-07-01") == 1);
+    CHECK(open.forget_changes("2025-07-01") == 0);
+    open.compact();
+    CHECK(open.canonical_dump() == dump);
+    CHECK(open.verify(Progress::none()).empty());
+    CHECK(open.history(10).size() == 2);
+    CHECK(open.undo().label == "July");
+    const std::string said = message_of([&] { (void)open.undo(); });
+    CHECK(said.find("\"June\" of 2025-06-01T12:00:00.000Z is no longer possible") != std::string::npos);
+    CHECK(open.redo().label == "July");
+    CHECK(open.canonical_dump() == dump);
+}
+
+TEST_CASE("A later undo step that is missing while an older one is there is damage") {
+    const test::TemporaryFolder folder;
+    test::TestEnvironment environment;
+    const auto file = folder / "site.gpkg";
+    {
+        ProjectFile project = ProjectFile::create(file, test::some_settings(), environment.get());
+        project.change("One", [&] { project.insert(a_unit("1")); });
+        project.change("Two", [&] { project.insert(a_unit("2")); });
+    }
+    sqlite::Database::open(file, sqlite::Access::ReadWrite).execute("DELETE FROM planum_change_chunk WHERE change = 2");
+    const ProjectFile project = ProjectFile::open(file, OpenMode::ReadOnly, environment.get());
+    CHECK(project.verify(Progress::none()).size() == 1);
+}
