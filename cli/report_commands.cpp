@@ -6,9 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "app/drawing/draw_matrix.hpp"
 #include "app/export/export_record.hpp"
 #include "app/reports/report.hpp"
+#include "core/base/file.hpp"
+#include "core/base/text.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/report_pdf.hpp"
 
 namespace planum::cli {
 
@@ -25,6 +29,19 @@ struct Options {
 void run_report(const Context& context, const Options& options) {
     app::Project project = context.open(OpenMode::ReadOnly);
     const paint::FontTextMeasure measure;
+    if (text::fold_case(std::filesystem::path(options.output).extension().string()) == ".pdf") {
+        app::DrawRequest request;
+        request.interpretation = options.interpretation;
+        const auto drawing = app::draw_matrix(project, request, measure, *context.progress);
+        paint::ReportPdf report;
+        report.html = app::printed_report(project, options.interpretation, *context.progress);
+        report.drawing = &drawing;
+        report.site = project.record().settings.name;
+        report.date = project.clock().now().substr(0, 10);
+        write_file_atomically(options.output, paint::render_report_pdf(report, *context.progress));
+        context.say("wrote " + options.output);
+        return;
+    }
     app::write_report(project, options.output, options.interpretation, measure, *context.progress);
     context.say("wrote " + options.output);
 }
@@ -46,7 +63,7 @@ void write_export(const Context& context, app::Project& project, const std::file
 void add_report_commands(CLI::App& root, Context& context) {
     auto report = std::make_shared<Options>();
     CLI::App* command = add_command(root, context, "report", "the record, its problems and decisions, for the archive");
-    command->add_option("-o,--output", report->output, "file to write: .xml (schema planum-report-1) or .html")
+    command->add_option("-o,--output", report->output, "file to write: .xml (schema planum-report-1), .html or .pdf")
         ->required();
     command->add_option("--interpretation", report->interpretation, "this reading instead of the field record");
     command->callback([&context, report] { run_report(context, *report); });

@@ -15,6 +15,7 @@
 #include "core/base/error.hpp"
 #include "paint/drawing_painter.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/pdf_bytes.hpp"
 #include "paint/qt_runtime.hpp"
 #include "strat/layout/drawing_colours.hpp"
 
@@ -68,7 +69,7 @@ class PdfMaker {
         }
         painter.end();
         std::string pdf = bytes.toStdString();
-        set_creation_date(pdf);
+        set_creation_date(pdf, options_.created_at);
         return pdf;
     }
 
@@ -241,21 +242,6 @@ class PdfMaker {
                                      kInk});
             }
             paint_title_block(painter, "index");
-        }
-    }
-
-    // Qt writes the current time; ours is injected. The field has a fixed length, so no offset moves.
-    void set_creation_date(std::string& pdf) const {
-        std::string digits;
-        for (const char ch : options_.created_at) {
-            if (ch >= '0' && ch <= '9' && digits.size() < 14) digits += ch;
-        }
-        if (digits.size() < 14) digits = "19700101000000";
-        constexpr std::string_view kKey = "/CreationDate (D:";
-        for (std::size_t at = pdf.find(kKey); at != std::string::npos; at = pdf.find(kKey, at + 1)) {
-            std::size_t i = at + kKey.size();
-            for (std::size_t k = 0; k < digits.size() && i + k < pdf.size() && pdf[i + k] != ')'; ++k)
-                pdf[i + k] = digits[k];
         }
     }
 

@@ -30,9 +30,26 @@ a { color: #1c4f82; text-decoration: none; } a:hover { text-decoration: underlin
 section.unit { break-inside: avoid; } @media print { .matrix { max-height: none; border: 0; } }
 )";
 
+constexpr std::string_view kPaperStyle = R"(
+h1 { font-size: 20px; margin-bottom: 0px; } h2 { font-size: 14px; margin-top: 16px; margin-bottom: 4px; }
+h3 { font-size: 10px; margin-top: 9px; margin-bottom: 1px; } p.sub { color: #555555; margin-top: 2px; }
+td, th { padding-right: 8px; text-align: left; } th { color: #444444; font-weight: 400; } .code { color: #666666; font-size: 7px; }
+ol { margin-top: 2px; margin-bottom: 2px; } a { color: #222222; text-decoration: none; }
+)";
+
+std::string_view colour_of(model::Severity severity) {
+    switch (severity) {
+    case model::Severity::Error: return "#b3261e";
+    case model::Severity::Warning: return "#c77700";
+    case model::Severity::Info: return "#5b7fa6";
+    }
+    return "#5b7fa6";
+}
+
 class Page {
   public:
-    explicit Page(const ReportInput& input) : input_(input), record_(*input.record), index_(record_) {
+    Page(const ReportInput& input, HtmlFor medium)
+        : input_(input), record_(*input.record), index_(record_), on_paper_(medium == HtmlFor::Paper) {
         for (const model::PhysicalRelation& relation : record_.relations) {
             of_unit_[relation.subject].push_back(&relation);
             if (relation.object != relation.subject) of_unit_[relation.object].push_back(&relation);
@@ -59,12 +76,14 @@ class Page {
     void head() {
         const model::ProjectSettings& settings = record_.settings;
         out_ += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" +
-                xml_escaped(settings.name) + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n";
+                xml_escaped(settings.name) + "</title>\n<style>" + std::string(on_paper_ ? kPaperStyle : kStyle) +
+                "</style>\n</head>\n<body>\n";
         out_ +=
             fmt::format("<h1>{}</h1>\n<p class=\"sub\">{} units, {} relations. {} by {}, planum {}{}</p>\n",
                         xml_escaped(settings.name), record_.units.size(), record_.relations.size(),
                         xml_escaped(input_.made_at.substr(0, 10)), xml_escaped(input_.made_by), PLANUM_VERSION,
                         input_.interpretation.empty() ? "" : "; interpretation " + xml_escaped(input_.interpretation));
+        if (on_paper_) return;
         out_ += "<p><a href=\"#problems\">Problems</a> · <a href=\"#matrix\">Matrix</a> · <a "
                 "href=\"#units\">Units</a></p>\n";
     }
@@ -96,11 +115,20 @@ class Page {
         return std::visit(Words{*this}, suspect.what);
     }
 
+    void open_problem(model::Severity severity) {
+        out_ += on_paper_ ? fmt::format("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"4\" "
+                                        "style=\"margin-top: 4px\"><tr><td width=\"2\" bgcolor=\"{}\"></td>"
+                                        "<td bgcolor=\"#f6f4f0\">",
+                                        colour_of(severity))
+                          : fmt::format("<div class=\"problem {}\">", to_word(severity));
+    }
+
     void problems() {
         out_ += fmt::format("<h2 id=\"problems\">Problems ({})</h2>\n", input_.diagnostics.size());
         for (const model::Diagnostic& d : input_.diagnostics) {
-            out_ += fmt::format("<div class=\"problem {0}\"><span class=\"code\">{0} · {1} · {2}</span><br/>{3}",
-                                to_word(d.severity), xml_escaped(d.code), xml_escaped(d.id), xml_escaped(d.message));
+            open_problem(d.severity);
+            out_ += fmt::format("<span class=\"code\">{0} · {1} · {2}</span><br/>{3}", to_word(d.severity),
+                                xml_escaped(d.code), xml_escaped(d.id), xml_escaped(d.message));
             if (!d.suspects.empty()) out_ += "\n<ol>\n";
             for (const model::Suspect& s : d.suspects) {
                 std::vector<std::string> reasons;
@@ -109,7 +137,7 @@ class Page {
                                     text::join(reasons, "; "));
             }
             if (!d.suspects.empty()) out_ += "</ol>\n";
-            out_ += "</div>\n";
+            out_ += on_paper_ ? "</td></tr></table>\n" : "</div>\n";
         }
         if (!input_.accepted.empty()) out_ += fmt::format("<h3>Accepted ({})</h3>\n", input_.accepted.size());
         for (const model::Diagnostic& d : input_.accepted) {
@@ -193,6 +221,7 @@ class Page {
     const ReportInput& input_;
     const model::Record& record_;
     model::RecordIndex index_;
+    bool on_paper_ = false;
     std::unordered_map<model::UnitId, std::vector<const model::PhysicalRelation*>> of_unit_;
     std::unordered_map<model::UnitId, std::vector<const model::Level*>> levels_;
     std::unordered_map<model::UnitId, std::vector<const model::Find*>> finds_;
@@ -201,6 +230,6 @@ class Page {
 
 } // namespace
 
-std::string write_html_report(const ReportInput& input) { return Page(input).write(); }
+std::string write_html_report(const ReportInput& input, HtmlFor medium) { return Page(input, medium).write(); }
 
 } // namespace planum::app

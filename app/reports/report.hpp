@@ -16,4 +16,7 @@ namespace planum::app {
 void write_report(Project& project, const std::filesystem::path& file, const std::string& interpretation,
                   const strat::TextMeasure& measure, Progress& progress);
 
+/// The report as one HTML page to print, without the drawing: the words of `.pdf`, which paint lays out.
+[[nodiscard]] std::string printed_report(Project& project, const std::string& interpretation, Progress& progress);
+
 } // namespace planum::app

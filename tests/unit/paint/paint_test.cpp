@@ -6,6 +6,7 @@
 #include "paint/drawing_png.hpp"
 #include "paint/font_measure.hpp"
 #include "paint/poster_plan.hpp"
+#include "paint/report_pdf.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary.hpp"
 
@@ -125,4 +126,19 @@ TEST_CASE("PDF embeds its font, has a page for each sheet, the map and the index
     CHECK(count(pdf, "/FontFile2") >= 1);
     CHECK(count(pdf, "/Type /Page\n") == sheets + 2 + 1); // index of 600 units on A4: two pages
     CHECK(pdf == render_pdf(drawing, options, Progress::none()));
+}
+
+TEST_CASE("A printed report has pages of words, then the matrix, and repeats itself") {
+    const MatrixDrawing drawing = boxes_in_rows(3, 4);
+    ReportPdf report;
+    report.html = "<h1>Hill Farm</h1>";
+    for (int i = 0; i < 200; ++i) report.html += "<p>a line</p>";
+    report.site = "Hill Farm";
+    const std::string words = render_report_pdf(report, Progress::none());
+    report.drawing = &drawing;
+    const std::string pdf = render_report_pdf(report, Progress::none());
+    CHECK(pdf.starts_with("%PDF-1."));
+    CHECK(count(words, "/Type /Page\n") > 1);
+    CHECK(count(pdf, "/Type /Page\n") == count(words, "/Type /Page\n") + 1);
+    CHECK(pdf == render_report_pdf(report, Progress::none()));
 }
