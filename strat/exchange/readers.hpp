@@ -24,5 +24,6 @@ namespace planum::strat {
 [[nodiscard]] const Reader& phaser_json_reader();
 [[nodiscard]] const Reader& idai_field_reader();
 [[nodiscard]] const Reader& graphml_reader();
+[[nodiscard]] const Reader& hmatrix_json_reader();
 
 } // namespace planum::strat
