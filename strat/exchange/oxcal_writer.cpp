@@ -220,6 +220,7 @@ class OxcalModel {
     [[nodiscard]] std::string one_phase() const {
         if (events_.empty()) return {};
         std::vector<NodeIndex> nodes;
+        nodes.reserve(events_.size());
         for (const auto& [node, events] : events_) nodes.push_back(node);
         return " Sequence()\n {\n" + bounded(nodes, "site") + " };\n";
     }

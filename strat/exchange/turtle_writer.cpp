@@ -223,7 +223,8 @@ class TurtleWriter {
                 }
             };
             go_down(later);
-            for (std::size_t i = 0; i < reached.size(); ++i) go_down(reached[i]);
+            std::size_t next = 0;
+            while (next < reached.size()) go_down(reached[next++]); // it grows meanwhile
             later_than(matrix, later, reached);
         }
     }
