@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Reading speed per format on files made here, then store build and queries, on one core. Prints a table.
+// bench_scans [formats] [peers] [store] [large] [panorama] [import]: reading speed per format on files made here, PCL
+// on the same, store build and queries, panoramas, and `planum scan add` of a PTX with 20 million points. All on one
+// thread.
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -8,14 +11,17 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
+#include "bench/bench_support.hpp"
 #include "core/base/error.hpp"
 #include "scans/cloud/point_store.hpp"
 #include "scans/formats/scan_reader.hpp"
 #include "scans/panorama/panorama.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/scan_samples.hpp"
+#ifdef PLANUM_BENCH_PCL
+#include "bench/pcl_peer.hpp"
+#endif
 
 using namespace planum;
 using namespace planum::scans;
@@ -30,25 +36,7 @@ double seconds_of(const std::function<void()>& work) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-double peak_memory_mb() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("planum-bench-{}", ::getpid());
-
-    Folder() { std::filesystem::create_directories(path); }
-
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-};
+using bench::Scratch;
 
 void write(const std::filesystem::path& file, const std::string& bytes) {
     std::ofstream out(file, std::ios::binary);
@@ -56,12 +44,14 @@ void write(const std::filesystem::path& file, const std::string& bytes) {
     if (!out) throw Error(ErrorCode::Io, file.string() + ": cannot be written");
 }
 
-/// A wall of points as a scanner sees it, in the order of its columns.
-std::string text_points(std::size_t rows, std::size_t columns, bool with_colour) {
-    std::mt19937 random(1);
+/// A wall of points as a scanner sees it, in the order of its columns, from column `from` of `columns`.
+std::string text_points(std::size_t rows, std::size_t columns, bool with_colour, std::size_t from = 0,
+                        std::size_t to = SIZE_MAX) {
+    std::mt19937 random(static_cast<unsigned>(1 + from));
+    to = std::min(to, columns);
     std::string out;
-    out.reserve(rows * columns * 48);
-    for (std::size_t c = 0; c < columns; ++c) {
+    out.reserve(rows * (to - from) * 48);
+    for (std::size_t c = from; c < to; ++c) {
         for (std::size_t r = 0; r < rows; ++r) {
             const double az = 6.28 * static_cast<double>(c) / static_cast<double>(columns);
             const double el = 1.5 * static_cast<double>(r) / static_cast<double>(rows) - 0.9;
@@ -110,43 +100,50 @@ void measure(const std::string& name, const std::filesystem::path& file) {
     if (sum == 12345.0) fmt::print(" ");
 }
 
-void bench_formats(const Folder& folder) {
+void bench_formats(const Scratch& folder) {
     constexpr std::size_t kRows = 1000;
     constexpr std::size_t kColumns = 2000;
     constexpr std::size_t kPoints = kRows * kColumns;
     const std::string plain = text_points(kRows, kColumns, false);
     const std::string coloured = text_points(kRows, kColumns, true);
-    write(folder.path / "plain.ptx", test::ptx_header(kColumns, kRows) + plain);
-    write(folder.path / "colour.ptx", test::ptx_header(kColumns, kRows) + coloured);
-    write(folder.path / "colour.pts", fmt::format("{}\n", kPoints) + coloured);
-    write(folder.path / "plain.xyz", plain);
-    write(folder.path / "plain.3d", plain);
-    write(folder.path / "five.e57", test::sample_e57(5000000));
-    write(folder.path / "colour.las", test::sample_las({3, 2, kPoints, false}));
+    write(folder / "plain.ptx", test::ptx_header(kColumns, kRows) + plain);
+    write(folder / "colour.ptx", test::ptx_header(kColumns, kRows) + coloured);
+    write(folder / "colour.pts", fmt::format("{}\n", kPoints) + coloured);
+    write(folder / "plain.xyz", plain);
+    write(folder / "plain.3d", plain);
+    write(folder / "five.e57", test::sample_e57(5000000));
+    write(folder / "colour.las", test::sample_las({3, 2, kPoints, false}));
     const std::string ply =
         fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
                     "property float z\nproperty float intensity\nend_header\n",
                     kPoints);
-    write(folder.path / "binary.ply", binary_points(ply, kPoints));
+    write(folder / "binary.ply", binary_points(ply, kPoints));
     const std::string pcd =
         fmt::format("VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH {}\n"
                     "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA binary\n",
                     kPoints, kPoints);
-    write(folder.path / "binary.pcd", binary_points(pcd, kPoints));
+    write(folder / "binary.pcd", binary_points(pcd, kPoints));
     for (const char* name : {"plain.ptx", "colour.ptx", "colour.pts", "plain.xyz", "plain.3d", "five.e57", "colour.las",
                              "binary.ply", "binary.pcd"}) {
-        measure(name, folder.path / name);
+        measure(name, folder / name);
     }
 }
 
-void bench_build(const Folder& folder) {
+PointBlock bench_cloud() {
     test::CloudOptions options;
     options.points = 5000000;
     options.extent = 40.0;
-    const PointBlock cloud = test::surface_cloud(options);
+    return test::surface_cloud(options);
+}
+
+void bench_build(const Scratch& folder) {
+    const PointBlock cloud = bench_cloud();
     StoreSummary summary;
-    const double time =
-        seconds_of([&] { summary = test::store_cloud(cloud, folder.path / "store.pts", {2ULL << 30U}); });
+    double time = 1e9;
+    for (int run = 0; run < 3; ++run) {
+        time = std::min(time,
+                        seconds_of([&] { summary = test::store_cloud(cloud, folder / "store.pts", {2ULL << 30U}); }));
+    }
     const auto points = static_cast<double>(summary.points);
     fmt::print("store build from memory: {:.0f} points, {:.2f} s: {:.1f} M points/s; {:.3f} bytes a point for "
                "coordinates, {:.3f} in all, {} nodes\n",
@@ -154,9 +151,10 @@ void bench_build(const Folder& folder) {
                static_cast<double>(summary.file_bytes) / points, summary.nodes);
 }
 
-void bench_queries(const Folder& folder) {
-    const double open = seconds_of([&] { static_cast<void>(PointStore::open(folder.path / "store.pts")); });
-    const PointStore store = PointStore::open(folder.path / "store.pts");
+/// `file` holds a cloud of `extent` metres around the centre of test::surface_cloud.
+void bench_queries(const std::filesystem::path& file) {
+    const double open = seconds_of([&] { static_cast<void>(PointStore::open(file)); });
+    const PointStore store = PointStore::open(file);
     Frustum frustum;
     frustum.eye = {0.0, 0.0, 5.0};
     frustum.planes = {{1.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 0.0, 10.0}};
@@ -175,17 +173,68 @@ void bench_queries(const Folder& folder) {
             sum += hit ? hit->distance : 0.0;
         }
     });
-    fmt::print("store: open {:.2f} ms; frustum {} points first {:.0f} ms, warm {:.0f} ms; box {} points "
-               "{:.1f} ms; nearest {:.0f} us a query; "
-               "verify {:.0f} ms\n",
-               open * 1e3, given, cold * 1e3, warm * 1e3, found, box * 1e3, nearest * 1e3,
-               1e3 * seconds_of([&] { static_cast<void>(store.verify(Progress::none())); }));
+    const double verify = seconds_of([&] { static_cast<void>(store.verify(Progress::none())); });
+    fmt::print("store of {} points: open {:.2f} ms; frustum {} points first {:.0f} ms, warm {:.0f} ms; box {} points "
+               "{:.1f} ms; nearest {:.0f} us a query; verify {:.0f} ms\n",
+               store.points(), open * 1e3, given, cold * 1e3, warm * 1e3, found, box * 1e3, nearest * 1e3,
+               verify * 1e3);
     if (sum == 12345.0) fmt::print(" ");
 }
 
-void bench_panorama(const Folder& folder) {
+/// 100 million points, out of core: twenty parts of one ground.
+void bench_large_store(const Scratch& folder) {
+    const std::filesystem::path file = folder / "large_store.pts";
+    StoreSummary summary;
+    const double time = seconds_of([&] {
+        StoreBuilder builder(file, test::full_info());
+        for (std::uint32_t part = 0; part < 20; ++part) {
+            test::CloudOptions options;
+            options.points = 5000000;
+            options.extent = 100.0;
+            options.seed = part + 1;
+            builder.add(test::surface_cloud(options));
+        }
+        summary = builder.finish(Progress::none());
+    });
+    fmt::print("store build out of core, points made on the way: {} points, {:.1f} s; {:.3f} bytes a point for "
+               "coordinates\n",
+               summary.points, time,
+               static_cast<double>(summary.coordinate_bytes) / static_cast<double>(summary.points));
+    bench_queries(file);
+}
+
+#ifdef PLANUM_BENCH_PCL
+void bench_peers(const Scratch& folder) {
+    for (const char* name : {"binary.ply", "binary.pcd"}) {
+        std::size_t points = 0;
+        double best = 1e9;
+        for (int run = 0; run < 3; ++run) {
+            best = std::min(best, seconds_of([&] {
+                                points = name == std::string("binary.ply") ? bench::pcl_read_ply(folder / name)
+                                                                           : bench::pcl_read_pcd(folder / name);
+                            }));
+        }
+        fmt::print("PCL {:<18} {} points  read {:.3f} s  {:.1f} M points/s\n", name, points, best,
+                   static_cast<double>(points) / best / 1e6);
+    }
+    const PointBlock cloud = bench_cloud();
+    const bench::PclOctree pcl = bench::pcl_octree(cloud);
+    const auto points = static_cast<double>(cloud.size());
+    fmt::print("PCL octree: {:.0f} points, build {:.2f} s: {:.1f} M points/s; {:.1f} bytes a point in memory; box {} "
+               "points {:.1f} ms; nearest {:.0f} us a query\n",
+               points, pcl.build, points / pcl.build / 1e6, pcl.megabytes * 1e6 / points, pcl.in_box, pcl.box * 1e3,
+               pcl.nearest * 1e3);
+}
+#else
+void bench_peers(const Scratch& /*folder*/) {
+    fmt::print("PCL: not built in; install libpcl-dev and configure anew\n");
+}
+#endif
+
+void bench_panorama(const Scratch& folder) {
     PointBlock cloud;
-    const auto reader = open_scan(folder.path / "plain.ptx", {}, Progress::none());
+    write(folder / "wall.ptx", test::ptx_header(2000, 1000) + text_points(1000, 2000, false));
+    const auto reader = open_scan(folder / "wall.ptx", {}, Progress::none());
     reader->read(
         0,
         [&](const PointBlock& block) {
@@ -222,31 +271,48 @@ void bench_panorama(const Folder& folder) {
     }
 }
 
-/// From a PTX with `columns` × 1000 points into its store, as `planum scan add` does it.
-void bench_import(const Folder& folder, std::size_t columns) {
-    write(folder.path / "large.ptx",
-          test::ptx_header(static_cast<std::int64_t>(columns), 1000) + text_points(1000, columns, false));
-    StoreSummary summary;
-    const double time = seconds_of([&] {
-        const auto reader = open_scan(folder.path / "large.ptx", {}, Progress::none());
-        summary = build_store(*reader, 0, folder.path / "large.pts", store_info(reader->clouds()[0], "large", "", 0),
-                              {}, Progress::none());
-    });
-    fmt::print("import of a PTX with {} points: {:.2f} s, {:.1f} M points/s\n", summary.points, time,
-               static_cast<double>(summary.points) / time / 1e6);
+/// `planum scan add` of one PTX with 20 million points, the program as a user runs it.
+void bench_import(const Scratch& folder) {
+    constexpr std::size_t kColumns = 20000;
+    std::filesystem::create_directories(folder / "2025-06-01");
+    const std::filesystem::path ptx = folder / "2025-06-01/large.ptx";
+    std::ofstream out(ptx, std::ios::binary);
+    out << test::ptx_header(kColumns, 1000);
+    for (std::size_t c = 0; c < kColumns; c += 500) out << text_points(1000, kColumns, false, c, c + 500);
+    out.close();
+    if (!out) throw Error(ErrorCode::Io, ptx.string() + ": cannot be written");
+    const std::string planum = bench::program_folder() / "planum";
+    const std::string site = folder / "site.gpkg";
+    bench::run_child({planum, "new", site}, 10.0);
+    const bench::Measured import = bench::run_child({planum, "scan", "add", site, ptx.string()}, 300.0);
+    if (import.status != 0)
+        throw Error(ErrorCode::Internal, fmt::format("planum scan add ended with {}", import.status));
+    fmt::print(
+        "planum scan add of a PTX with {} M points, {:.0f} MB: {:.1f} s, {:.1f} s of the processor, {:.0f} MB of "
+        "memory\n",
+        kColumns / 1000, static_cast<double>(std::filesystem::file_size(ptx)) / 1e6, import.wall, import.cpu,
+        import.peak_mb);
 }
 
 } // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    const std::vector<std::string> asked(argv + 1, argv + argc);
+    const auto wanted = [&](const char* section) {
+        return asked.empty() || std::find(asked.begin(), asked.end(), section) != asked.end();
+    };
     try {
-        const Folder folder;
-        bench_formats(folder);
-        bench_build(folder);
-        bench_queries(folder);
-        bench_panorama(folder);
-        bench_import(folder, 5000);
-        fmt::print("peak memory {:.0f} MB (the generated files included)\n", peak_memory_mb());
+        const Scratch folder;
+        fmt::print("{}\n", bench::machine());
+        if (wanted("formats") || wanted("peers")) bench_formats(folder);
+        if (wanted("peers")) bench_peers(folder);
+        if (wanted("store")) {
+            bench_build(folder);
+            bench_queries(folder / "store.pts");
+        }
+        if (wanted("large")) bench_large_store(folder);
+        if (wanted("panorama")) bench_panorama(folder);
+        if (wanted("import")) bench_import(folder);
     } catch (const Error& e) {
         fmt::print(stderr, "bench_scans: {}\n", e.what());
         return exit_status(e.code());
