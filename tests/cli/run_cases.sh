@@ -12,7 +12,7 @@ failed=0
 passed=0
 for case in "$here"/*.case; do
   work=$(mktemp -d)
-  if env -i PATH="$(dirname "$program"):/usr/bin:/bin" HOME="$work" LC_ALL=C PLANUM_AUTHOR=tester QT_QPA_PLATFORM=offscreen CASE_DATA="$here/data" UPDATE="${UPDATE:-0}" \
+  if env -i PATH="$(dirname "$program"):/usr/bin:/bin" HOME="$work" LC_ALL=C PLANUM_AUTHOR=tester ASAN_OPTIONS="${ASAN_OPTIONS:-}" QT_QPA_PLATFORM=offscreen CASE_DATA="$here/data" UPDATE="${UPDATE:-0}" \
       python3 "$here/run_case.py" "$case" "$work"; then
     passed=$((passed + 1))
   else
