@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "gui/viewmodels/day_jobs.hpp"
 #include "gui/viewmodels/outline_tool.hpp"
 #include "gui/viewmodels/problem_list_model.hpp"
 #include "gui/viewmodels/relation_entry_model.hpp"
@@ -25,6 +26,7 @@ struct Models {
     ProblemListModel problems{workspace};
     TimeModel time{workspace};
     OutlineTool outline{workspace};
+    DayJobs day{workspace};
 };
 
 } // namespace planum::gui

@@ -4,13 +4,16 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QKeySequence>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "gui/viewmodels/words.hpp"
@@ -19,6 +22,7 @@
 #include "gui/widgets/view.hpp"
 #include "gui/widgets/window/job_sign.hpp"
 #include "gui/widgets/window/notice_bar.hpp"
+#include "gui/widgets/window/project_menu.hpp"
 
 namespace planum::gui {
 
@@ -64,6 +68,8 @@ MainWindow::MainWindow(const app::Session& session)
         connect(&workspace, change, this, &MainWindow::refresh);
     }
     connect(&models_.problems, &ProblemListModel::checked, this, &MainWindow::refresh);
+    connect(&models_.day, &DayJobs::done, this, [this](const QString& text) { statusBar()->showMessage(text, 15000); });
+    setAcceptDrops(true);
     connect(&models_.entry, &RelationEntryModel::committed, this,
             [this](const QString& sentence) { statusBar()->showMessage(tr("recorded: %1").arg(sentence), 6000); });
     refresh();
@@ -129,10 +135,11 @@ void MainWindow::make_actions() {
     connect(relate, &QAction::triggered, this,
             [this] { findChild<QWidget*>(QStringLiteral("relationEntry"))->setFocus(); });
 
-    QMenu* file = menuBar()->addMenu(tr("Project"));
-    file->addActions({fresh, open_it, look});
-    file->addSeparator();
-    file->addAction(quit);
+    project_menu_ = new ProjectMenu(*this);
+    menuBar()->addMenu(project_menu_);
+    project_menu_->insertActions(project_menu_->actions().front(), {fresh, open_it, look});
+    project_menu_->addSeparator();
+    project_menu_->addAction(quit);
     QMenu* edit = menuBar()->addMenu(tr("Edit"));
     edit->addActions({undo_, redo_, find, relate});
     QMenu* view = menuBar()->addMenu(tr("View"));
@@ -142,6 +149,9 @@ void MainWindow::make_actions() {
                                      std::pair{ThemeKind::Sunlight, tr("Sunlight")}}) {
         looks->addAction(text, this, [kind = kind] { apply_theme(kind); });
     }
+    QAction* keys = action("shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1));
+    connect(keys, &QAction::triggered, this, [this] { show_shortcuts(*this); });
+    menuBar()->addMenu(tr("Help"))->addAction(keys);
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
@@ -219,6 +229,19 @@ void MainWindow::show_view(std::string_view name) {
         tabs_->setCurrentWidget(shown);
     }
     shown->setFocus();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) files << url.toLocalFile();
+    }
+    project_menu_->take_files(files);
+    event->acceptProposedAction();
 }
 
 // Everything is saved already; what runs is stopped and leaves the project as it was.

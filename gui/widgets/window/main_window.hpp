@@ -18,6 +18,7 @@ class QTabWidget;
 namespace planum::gui {
 
 class NoticeBar;
+class ProjectMenu;
 
 /// The one window: views in the middle as tabs, units at the left, the record card at the right, problems and
 /// history below, what is going on at the foot.
@@ -39,8 +40,12 @@ class MainWindow : public QMainWindow {
 
     [[nodiscard]] NoticeBar& notice() noexcept { return *notice_; }
 
+    [[nodiscard]] ProjectMenu& project_menu() noexcept { return *project_menu_; }
+
   protected:
     void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
   private:
     void make_views();
@@ -56,6 +61,7 @@ class MainWindow : public QMainWindow {
     QTabWidget* tabs_;
     std::map<std::string_view, QWidget*> views_;
     std::map<std::string_view, QDockWidget*> docks_;
+    ProjectMenu* project_menu_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QLabel* state_;

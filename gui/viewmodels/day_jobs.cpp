@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "gui/viewmodels/day_jobs.hpp"
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "app/import/import_service.hpp"
+#include "app/regions/region_import.hpp"
+#include "app/registration/import_markers.hpp"
+#include "app/registration/register_scans.hpp"
+#include "app/scans/add_scans.hpp"
+#include "app/survey/survey_import.hpp"
+#include "core/base/text.hpp"
+#include "gui/viewmodels/words.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+constexpr int kMostLines = 500; // of a preview; the rest is counted
+
+void add(QStringList& lines, const QString& line) {
+    if (lines.size() < kMostLines) lines << line;
+}
+
+ImportPreview in_words(const app::ImportReport& report) {
+    ImportPreview preview;
+    preview.changes = report.changed;
+    for (const app::ImportedFiles& reading : report.readings) {
+        QStringList names;
+        for (const std::string& file : reading.files) names << qt(file);
+        add(preview.fresh, DayJobs::tr("%1: read as %2").arg(names.join(QStringLiteral(", ")), qt(reading.title)));
+        if (!reading.note.empty()) add(preview.not_understood, qt(reading.note));
+    }
+    const auto count = [&](const QString& text, std::int64_t number) {
+        if (number > 0) add(preview.fresh, text.arg(number));
+    };
+    count(DayJobs::tr("%1 new units"), report.new_units);
+    count(DayJobs::tr("%1 of them only mentioned"), report.mentioned_units);
+    count(DayJobs::tr("%1 units with fields filled"), report.filled_units);
+    count(DayJobs::tr("%1 new relations"), report.new_relations);
+    count(DayJobs::tr("%1 new statements"), report.new_statements);
+    count(DayJobs::tr("%1 new levels, finds, phases and others"), report.new_others);
+    for (const app::MergeConflict& conflict : report.conflicts) {
+        add(preview.changed, DayJobs::tr("%1, %2: “%3” stands, the file says “%4”")
+                                 .arg(qt(conflict.what), qt(conflict.field), qt(conflict.kept), qt(conflict.offered)));
+    }
+    for (const std::string& warning : report.warnings) add(preview.not_understood, qt(warning));
+    for (const strat::ReadNote& note : report.notes) {
+        add(preview.not_understood,
+            DayJobs::tr("%1, line %2: %3").arg(qt(note.file)).arg(note.line).arg(qt(note.message)));
+    }
+    return preview;
+}
+
+} // namespace
+
+FileUse use_of(const std::filesystem::path& file) {
+    if (std::filesystem::is_directory(file)) return FileUse::Scans;
+    const std::string ending = text::fold_case(file.extension().string());
+    if (ending == ".gpkg") return FileUse::Project;
+    if (ending == ".geojson") return FileUse::Outlines;
+    constexpr std::array<std::string_view, 9> kScans = {".ptx", ".e57", ".las", ".laz", ".ply",
+                                                        ".pts", ".xyz", ".pcd", ".3d"};
+    for (const std::string_view scan : kScans) {
+        if (ending == scan) return FileUse::Scans;
+    }
+    return FileUse::Lists;
+}
+
+DayJobs::DayJobs(Workspace& workspace, QObject* parent) : QObject(parent), workspace_(workspace) {}
+
+void DayJobs::preview_import(const Files& files, bool update) {
+    workspace_.read(QStringLiteral("import preview"), tr("Reading what would be imported"),
+                    [this, files, update](app::Project& project, Progress& progress) -> JobRunner::Done {
+                        app::ImportOptions options;
+                        options.update = update;
+                        options.dry_run = true;
+                        const ImportPreview preview = in_words(app::import_files(project, files, options, progress));
+                        return [this, preview] { emit previewed(preview); };
+                    });
+}
+
+void DayJobs::import(const Files& files, bool update) {
+    auto sentence = std::make_shared<QString>();
+    workspace_.edit(
+        tr("Importing"),
+        [files, update, sentence](app::Project& project, Progress& progress) {
+            app::ImportOptions options;
+            options.update = update;
+            const app::ImportReport report = app::import_files(project, files, options, progress);
+            *sentence = report.changed ? DayJobs::tr("imported: %1 new units, %2 new relations")
+                                             .arg(report.new_units)
+                                             .arg(report.new_relations)
+                                       : DayJobs::tr("nothing in the files is new");
+        },
+        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
+}
+
+void DayJobs::add_scans(const Files& inputs, const std::string& day) {
+    auto sentence = std::make_shared<QString>();
+    workspace_.edit(
+        tr("Adding scans"),
+        [inputs, day, sentence](app::Project& project, Progress& progress) {
+            app::AddScansOptions options;
+            options.day = day;
+            const app::AddScansReport report = app::add_scans(project, inputs, options, progress);
+            *sentence = DayJobs::tr("%1 scans added, %2 there already")
+                            .arg(report.added.size())
+                            .arg(report.there_already.size());
+        },
+        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
+}
+
+void DayJobs::import_outlines(const Files& files) {
+    auto sentence = std::make_shared<QString>();
+    workspace_.edit(
+        tr("Taking outlines in"),
+        [files, sentence](app::Project& project, Progress& progress) {
+            app::RegionImportOptions options;
+            options.create_units = true;
+            const auto report = app::import_outline_files(project, files, options, progress);
+            *sentence = DayJobs::tr("%1 new outlines, %2 refused").arg(report.fresh.size()).arg(report.refused.size());
+        },
+        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
+}
+
+void DayJobs::import_survey(const Files& files) {
+    auto sentence = std::make_shared<QString>();
+    workspace_.edit(
+        tr("Taking measured points in"),
+        [files, sentence](app::Project& project, Progress&) {
+            const app::SurveyReport report = app::import_survey(project, files, {});
+            *sentence = DayJobs::tr("%1 points: %2 new levels, %3 new finds")
+                            .arg(report.points)
+                            .arg(report.new_levels)
+                            .arg(report.new_finds);
+        },
+        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
+}
+
+void DayJobs::import_markers(const std::filesystem::path& file) {
+    auto sentence = std::make_shared<QString>();
+    workspace_.edit(
+        tr("Taking markers in"),
+        [file, sentence](app::Project& project, Progress&) {
+            const app::MarkerImport report = app::import_markers(project, file, {});
+            *sentence = DayJobs::tr("%1 markers added, %2 as they were").arg(report.added).arg(report.same);
+        },
+        [this, sentence] { emit done(*sentence); });
+}
+
+void DayJobs::register_scans(const std::string& day) {
+    auto lines = std::make_shared<QStringList>();
+    workspace_.edit(
+        tr("Registering scans"),
+        [day, lines](app::Project& project, Progress& progress) {
+            app::RegisterOptions options;
+            options.day = day;
+            const app::RegistrationReport report = app::register_scans(project, options, progress);
+            for (const app::ReportedScan& scan : report.scans) {
+                *lines << (scan.status == "registered"
+                               ? DayJobs::tr("%1: placed, position within %2 mm. %3")
+                                     .arg(qt(scan.scan))
+                                     .arg(1000.0 * scan.sigma_position, 0, 'f', 1)
+                                     .arg(qt(scan.verdict))
+                               : DayJobs::tr("%1: not placed. %2").arg(qt(scan.scan), qt(scan.verdict)));
+            }
+            for (const std::string& note : report.notes) *lines << qt(note);
+        },
+        [this, lines] { emit registered(*lines); }, Job::Kind::Asked);
+}
+
+void DayJobs::backup(const std::filesystem::path& target) {
+    workspace_.read(QStringLiteral("backup"), tr("Making a backup"),
+                    [this, target](app::Project& project, Progress& progress) -> JobRunner::Done {
+                        project.file().backup(target, progress);
+                        return [this, target] { emit done(tr("backup written to %1").arg(qt(target.string()))); };
+                    });
+}
+
+} // namespace planum::gui

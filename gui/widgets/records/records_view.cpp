@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/records/records_view.hpp"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "gui/viewmodels/models.hpp"
+
+namespace planum::gui {
+
+RecordsView::RecordsView(Models& models)
+    : models_(models), records_(models.workspace), kind_(new QComboBox), search_(new QLineEdit), fresh_(new QLineEdit),
+      names_(new QListWidget), delete_(new QPushButton(tr("Delete"))), scroll_(new QScrollArea) {
+    setObjectName(QStringLiteral("records"));
+    kind_->setObjectName(QStringLiteral("recordKind"));
+    kind_->setAccessibleName(tr("List"));
+    kind_->addItems(RecordsModel::kinds());
+    kind_->setCurrentText(records_.kind());
+    search_->setPlaceholderText(tr("Find"));
+    search_->setAccessibleName(tr("Find in the list"));
+    search_->setClearButtonEnabled(true);
+    fresh_->setObjectName(QStringLiteral("newRecord"));
+    fresh_->setAccessibleName(tr("Name of a new one"));
+    names_->setObjectName(QStringLiteral("recordNames"));
+    names_->setAccessibleName(tr("Names"));
+    names_->setUniformItemSizes(true);
+    scroll_->setWidgetResizable(true);
+    auto* add = new QPushButton(tr("Add"));
+    const auto add_one = [this] {
+        if (fresh_->text().trimmed().isEmpty()) return;
+        records_.add(fresh_->text().trimmed());
+        fresh_->clear();
+    };
+    connect(add, &QPushButton::clicked, this, add_one);
+    connect(fresh_, &QLineEdit::returnPressed, this, add_one);
+    connect(delete_, &QPushButton::clicked, &records_, &RecordsModel::remove);
+    connect(kind_, &QComboBox::textActivated, &records_, &RecordsModel::set_kind);
+    connect(search_, &QLineEdit::textChanged, this, &RecordsView::show_names);
+    connect(names_, &QListWidget::currentTextChanged, &records_, &RecordsModel::choose);
+    auto* left = new QVBoxLayout;
+    left->setContentsMargins(8, 8, 0, 8);
+    auto* top = new QHBoxLayout;
+    top->addWidget(kind_);
+    top->addWidget(search_, 1);
+    left->addLayout(top);
+    left->addWidget(names_, 1);
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(fresh_, 1);
+    foot->addWidget(add);
+    foot->addWidget(delete_);
+    left->addLayout(foot);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addLayout(left, 2);
+    row->addWidget(scroll_, 3);
+    connect(&records_, &RecordsModel::listed, this, &RecordsView::show_names);
+    connect(&records_, &RecordsModel::chosenChanged, this, &RecordsView::show_fields);
+    show_names();
+    show_fields();
+}
+
+void RecordsView::show_names() {
+    const QString chosen = records_.chosen();
+    const QSignalBlocker quiet(names_);
+    names_->clear();
+    for (const QString& name : records_.names()) {
+        if (name.contains(search_->text().trimmed(), Qt::CaseInsensitive)) names_->addItem(name);
+    }
+    const auto found = names_->findItems(chosen, Qt::MatchExactly);
+    if (!chosen.isEmpty() && !found.isEmpty()) names_->setCurrentItem(found.front());
+    fresh_->setPlaceholderText(tr("new: %1").arg(records_.name_form()));
+}
+
+void RecordsView::show_fields() {
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(14, 10, 14, 10);
+    const bool writable = models_.workspace.read_only_because().isEmpty();
+    delete_->setEnabled(writable && !records_.chosen().isEmpty());
+    if (records_.chosen().isEmpty()) {
+        auto* hint = new QLabel(tr("Choose one of the list, or add one."));
+        hint->setProperty("role", "faint");
+        form->addRow(hint);
+    }
+    for (const RecordsModel::FieldLine& field : records_.fields()) {
+        auto* name = new QLabel(field.name);
+        name->setProperty("role", "faint");
+        name->setToolTip(field.help);
+        auto* edit = new QLineEdit(field.value);
+        edit->setObjectName(QStringLiteral("record_") + field.name);
+        edit->setAccessibleName(field.name);
+        edit->setToolTip(field.help);
+        edit->setEnabled(writable);
+        edit->setCursorPosition(0);
+        connect(edit, &QLineEdit::editingFinished, this,
+                [this, edit, name = field.name] { records_.set_field(name, edit->text()); });
+        form->addRow(name, edit);
+    }
+    // The old fields may be in the middle of saying that they were left.
+    if (QWidget* old = scroll_->takeWidget()) old->deleteLater();
+    scroll_->setWidget(page);
+}
+
+void RecordsView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    records_.set_watched(true);
+}
+
+void RecordsView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    records_.set_watched(false);
+}
+
+} // namespace planum::gui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gui/render/scene_renderer.hpp"
+#include "gui/viewmodels/space_model.hpp"
+#include "gui/viewmodels/workspace.hpp"
+
+namespace planum::gui {
+
+/// Why OpenGL 3.3 cannot be used here; empty where it can.
+[[nodiscard]] QString opengl_trouble();
+
+/// The site in 3D. While it moves, a coarse set of points keeps the frame rate; when it stands still, a fine set of
+/// what the camera sees is chosen in a thread and drawn with depth shading.
+class SpaceCanvas : public QOpenGLWidget {
+    Q_OBJECT
+
+  public:
+    SpaceCanvas(Workspace& workspace, SpaceModel& space);
+    ~SpaceCanvas() override;
+
+    void set_colour(PointColour colour);
+    void set_eye_dome(bool on);
+    void fit();
+    void from_above();
+
+    [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
+
+    /// Points of the last frame.
+    [[nodiscard]] std::size_t drawn_points() const noexcept { return drawn_; }
+
+    /// Time that the last frame took [ms].
+    [[nodiscard]] double frame_milliseconds() const noexcept { return frame_ms_; }
+
+  signals:
+    /// What is under a click: place of the site.
+    void picked(double x, double y, double z);
+    /// Two places were clicked with Shift: what lies between them.
+    void measured(double distance, double rise);
+    void troubled(const QString& sentence);
+    void framed();
+
+  protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    void take_scans();
+    void take_lines();
+    void move();
+    void ask_for_points(SceneRenderer::Slot slot);
+    void pick_at(QPointF at, bool measure);
+
+    [[nodiscard]] double aspect() const { return static_cast<double>(width()) / std::max(height(), 1); }
+
+    Workspace& workspace_;
+    SpaceModel& space_;
+    std::unique_ptr<SceneRenderer> renderer_;
+    std::vector<ShownScan> scans_;
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+    double low_ = 0.0;
+    double high_ = 1.0;
+    Camera camera_;
+    PointColour colour_ = PointColour::Colour;
+    bool eye_dome_ = true;
+    bool still_ = false; ///< the fine set fits the camera
+    QTimer settle_;
+    QPointF last_;
+    QPointF pressed_;
+    bool dragged_ = false;
+    std::optional<Eigen::Vector3d> measure_from_;
+    std::size_t drawn_ = 0;
+    double frame_ms_ = 0.0;
+};
+
+} // namespace planum::gui

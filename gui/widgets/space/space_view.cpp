@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/space/space_view.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/viewmodels/models.hpp"
+#include "gui/widgets/space/space_canvas.hpp"
+#include "gui/widgets/theme.hpp"
+
+namespace planum::gui {
+
+SpaceView::SpaceView(Models& models)
+    : models_(models), space_(models.workspace, models.time), column_(new QVBoxLayout(this)), said_(new QLabel) {
+    setObjectName(QStringLiteral("3d"));
+    column_->setContentsMargins(0, 0, 0, 0);
+    column_->setSpacing(0);
+    said_->setProperty("role", "faint");
+}
+
+// Made when somebody looks for the first time: a program on a machine without OpenGL never asks for it.
+void SpaceView::make_canvas() {
+    tried_ = true;
+    const QString trouble = opengl_trouble();
+    if (!trouble.isEmpty()) {
+        auto* why = new QLabel(trouble);
+        why->setObjectName(QStringLiteral("spaceTrouble"));
+        why->setAlignment(Qt::AlignCenter);
+        why->setWordWrap(true);
+        column_->addWidget(why, 1);
+        return;
+    }
+    canvas_ = new SpaceCanvas(models_.workspace, space_);
+    column_->addWidget(make_bar());
+    column_->addWidget(canvas_, 1);
+    setFocusProxy(canvas_);
+    connect(canvas_, &SpaceCanvas::picked, this, [this](double x, double y, double z) {
+        said_->setText(tr("x %1  y %2  height %3 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).arg(z, 0, 'f', 3));
+    });
+    connect(canvas_, &SpaceCanvas::measured, this, [this](double distance, double rise) {
+        said_->setText(tr("%1 m apart, %2 m up").arg(distance, 0, 'f', 3).arg(rise, 0, 'f', 3));
+    });
+    connect(canvas_, &SpaceCanvas::troubled, &models_.workspace, &Workspace::failed);
+}
+
+QWidget* SpaceView::make_bar() {
+    auto* colour = new QComboBox;
+    colour->setAccessibleName(tr("Colour"));
+    colour->addItem(tr("colour as scanned"), static_cast<int>(PointColour::Colour));
+    colour->addItem(tr("intensity"), static_cast<int>(PointColour::Intensity));
+    colour->addItem(tr("height"), static_cast<int>(PointColour::Height));
+    colour->addItem(tr("day"), static_cast<int>(PointColour::Day));
+    connect(colour, &QComboBox::activated, this,
+            [this, colour] { canvas_->set_colour(static_cast<PointColour>(colour->currentData().toInt())); });
+    auto* dome = new QCheckBox(tr("shaded by depth"));
+    dome->setChecked(true);
+    connect(dome, &QCheckBox::toggled, canvas_, &SpaceCanvas::set_eye_dome);
+    auto* all = new QCheckBox(tr("all surfaces"));
+    connect(all, &QCheckBox::toggled, &space_, &SpaceModel::set_all_surfaces);
+    const auto button = [this](const QString& text, const QString& tip, auto press) {
+        auto* made = new QToolButton;
+        made->setText(text);
+        made->setToolTip(tip);
+        connect(made, &QToolButton::clicked, canvas_, press);
+        return made;
+    };
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(8, 6, 8, 6);
+    for (QWidget* part : std::initializer_list<QWidget*>{colour, dome, all}) row->addWidget(part);
+    row->addStretch(1);
+    row->addWidget(said_);
+    row->addWidget(button(tr("From above"), tr("Plan, north up (T)"), &SpaceCanvas::from_above));
+    row->addWidget(button(tr("Fit"), tr("The trench (F)"), &SpaceCanvas::fit));
+    return bar;
+}
+
+void SpaceView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (!tried_) make_canvas();
+    space_.set_watched(canvas_ != nullptr);
+}
+
+void SpaceView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    space_.set_watched(false);
+}
+
+} // namespace planum::gui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+#include "gui/viewmodels/space_model.hpp"
+
+class QLabel;
+class QVBoxLayout;
+
+namespace planum::gui {
+
+struct Models;
+class SpaceCanvas;
+
+/// 3D with its choices. Where there is no OpenGL it says so in place of the picture.
+class SpaceView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SpaceView(Models& models);
+
+    /// Null where there is no OpenGL, or nobody has looked yet.
+    [[nodiscard]] SpaceCanvas* canvas() const noexcept { return canvas_; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    void make_canvas();
+    QWidget* make_bar();
+
+    Models& models_;
+    SpaceModel space_;
+    SpaceCanvas* canvas_ = nullptr;
+    QVBoxLayout* column_;
+    QLabel* said_;
+    bool tried_ = false;
+};
+
+} // namespace planum::gui

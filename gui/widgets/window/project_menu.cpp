@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "gui/widgets/window/project_menu.hpp"
+
+#include <QAction>
+#include <QDialog>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "gui/viewmodels/words.hpp"
+#include "gui/widgets/window/export_file.hpp"
+#include "gui/widgets/window/import_dialog.hpp"
+#include "gui/widgets/window/main_window.hpp"
+
+namespace planum::gui {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+const QString kRecentKey = QStringLiteral("recent");
+
+DayJobs::Files paths(const QStringList& files) {
+    DayJobs::Files all;
+    for (const QString& file : files) all.emplace_back(file.toStdString());
+    return all;
+}
+
+} // namespace
+
+ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project")), window_(window) {
+    auto* recent_menu = addMenu(tr("Recent projects"));
+    connect(recent_menu, &QMenu::aboutToShow, this, [this, recent_menu] { fill_recent(recent_menu); });
+    addSeparator();
+    QAction* import = addAction(tr("Import lists …"), this, [this] {
+        const QStringList files = ask_files(tr("Lists of units, relations, finds"), tr("All files (*)"));
+        if (!files.isEmpty()) (new ImportDialog(window_.models().day, paths(files), &window_))->show();
+    });
+    import->setShortcut(QKeySequence(QStringLiteral("Ctrl+I")));
+    addAction(tr("Add scans …"), this, [this] {
+        const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Folder of a day's scans"));
+        if (!folder.isEmpty()) window_.models().day.add_scans(paths({folder}), {});
+    });
+    addAction(tr("Import outlines …"), this, [this] {
+        const QStringList files = ask_files(tr("Outlines"), tr("Outlines (*.geojson *.json)"));
+        if (!files.isEmpty()) window_.models().day.import_outlines(paths(files));
+    });
+    addAction(tr("Import measured points …"), this, [this] {
+        const QStringList files =
+            ask_files(tr("Points of the total station"), tr("Points (*.csv *.txt *.dxf);;All files (*)"));
+        if (!files.isEmpty()) window_.models().day.import_survey(paths(files));
+    });
+    addSeparator();
+    QAction* write = addAction(tr("Export or print …"), this, &ProjectMenu::ask_export);
+    write->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+    addAction(tr("Backup …"), this, [this] {
+        const QString file = QFileDialog::getSaveFileName(&window_, tr("Backup"), {}, tr("Planum projects (*.gpkg)"));
+        if (!file.isEmpty()) window_.models().day.backup(file.toStdString());
+    });
+    connect(&window_.models().workspace, &Workspace::opened, this, &ProjectMenu::remember);
+}
+
+QStringList ProjectMenu::ask_files(const QString& title, const QString& filter) {
+    return QFileDialog::getOpenFileNames(&window_, title, {}, filter);
+}
+
+QStringList ProjectMenu::recent() {
+    QStringList there;
+    for (const QString& file : QSettings().value(kRecentKey).toStringList()) {
+        if (QFileInfo::exists(file)) there << file;
+    }
+    return there;
+}
+
+void ProjectMenu::remember() {
+    const QString file = qt(window_.models().workspace.file().string());
+    QStringList files = recent();
+    files.removeAll(file);
+    files.prepend(file);
+    QSettings().setValue(kRecentKey, QStringList(files.mid(0, kMostRecent)));
+}
+
+void ProjectMenu::fill_recent(QMenu* menu) {
+    menu->clear();
+    for (const QString& file : recent()) {
+        menu->addAction(file, this, [this, file] { window_.open(file.toStdString(), store::OpenMode::ReadWrite); });
+    }
+    if (menu->isEmpty()) menu->addAction(tr("none yet"))->setEnabled(false);
+}
+
+void ProjectMenu::take_files(const QStringList& files) {
+    DayJobs::Files scans;
+    DayJobs::Files outlines;
+    DayJobs::Files lists;
+    for (const std::filesystem::path& file : paths(files)) {
+        switch (use_of(file)) {
+        case FileUse::Project: return window_.open(file, store::OpenMode::ReadWrite);
+        case FileUse::Scans: scans.push_back(file); break;
+        case FileUse::Outlines: outlines.push_back(file); break;
+        case FileUse::Lists: lists.push_back(file); break;
+        }
+    }
+    if (!window_.models().workspace.is_open()) {
+        window_.models().workspace.say(tr("Open a project first, then drop the files on it."));
+        return;
+    }
+    if (!scans.empty()) window_.models().day.add_scans(scans, {});
+    if (!outlines.empty()) window_.models().day.import_outlines(outlines);
+    if (!lists.empty()) (new ImportDialog(window_.models().day, lists, &window_))->show();
+}
+
+void ProjectMenu::ask_export() {
+    const QString file = QFileDialog::getSaveFileName(
+        &window_, tr("Export or print"), {},
+        tr("Matrix (*.pdf *.svg *.png);;Report (*.xml *.html);;For other programs (*.csv *.json *.lst *.hmcx *.graphml "
+           "*.dot *.geojson *.ttl *.xlsx *.dxf *.oxcal)"));
+    if (!file.isEmpty()) export_to(file.toStdString());
+}
+
+void ProjectMenu::export_to(const std::filesystem::path& file) {
+    window_.models().workspace.read(QStringLiteral("export"), tr("Writing %1").arg(qt(file.filename().string())),
+                                    [this, file](app::Project& project, Progress& progress) -> JobRunner::Done {
+                                        const QString sentence = export_file(project, file, progress);
+                                        return [this, sentence] { emit window_.models().day.done(sentence); };
+                                    });
+}
+
+void show_shortcuts(MainWindow& window) {
+    QString text = QStringLiteral("<table cellpadding='4'>");
+    const auto row = [&](const QString& keys, const QString& what) {
+        text +=
+            QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(keys.toHtmlEscaped(), what.toHtmlEscaped());
+    };
+    for (const QAction* action : window.findChildren<QAction*>()) {
+        if (action->shortcut().isEmpty()) continue;
+        row(action->shortcut().toString(QKeySequence::NativeText), action->text());
+    }
+    row(QStringLiteral("+  −  F"), ProjectMenu::tr("larger, smaller, the whole drawing"));
+    row(QStringLiteral("← ↑ → ↓"), ProjectMenu::tr("along the orders of the matrix, or move the picture"));
+    row(QStringLiteral("Backspace"), ProjectMenu::tr("while drawing: last corner back"));
+    row(QStringLiteral("Esc"), ProjectMenu::tr("while drawing: cancel (can be taken back)"));
+    auto* dialog = new QDialog(&window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(ProjectMenu::tr("Shortcuts"));
+    (new QVBoxLayout(dialog))->addWidget(new QLabel(text + QStringLiteral("</table>")));
+    dialog->show();
+}
+
+} // namespace planum::gui
