@@ -60,7 +60,7 @@ std::string key_of(const RegionGround& ground, const std::vector<const model::Sc
     text += fmt::format("\n{} {} {}", ground.low, ground.high, ground.frame_from_site.translation.x());
     for (const model::Scan* scan : scans) {
         text += fmt::format("\n{} {}", scan->sha256, scan->cloud);
-        for (const double v : accepted_pose(record, scan->id)->site_from_scan) text += fmt::format(" {}", v);
+        for (const double v : model::pose_in_force(record, scan->id)->site_from_scan) text += fmt::format(" {}", v);
     }
     return sha256(text);
 }
@@ -100,7 +100,7 @@ std::vector<RegionHeights> heights_of_regions(Project& project, Progress& progre
     const model::Record& record = project.record();
     std::vector<RegionHeights> heights(record.regions.size());
     const bool placed_any = std::any_of(record.scans.begin(), record.scans.end(), [&](const model::Scan& scan) {
-        return accepted_pose(record, scan.id) != nullptr;
+        return model::pose_in_force(record, scan.id) != nullptr;
     });
     if (!placed_any) return heights;
     const std::vector<RegionGround> grounds = region_grounds(record);
@@ -109,7 +109,7 @@ std::vector<RegionHeights> heights_of_regions(Project& project, Progress& progre
         progress.fraction(static_cast<double>(i) / static_cast<double>(heights.size()));
         std::vector<const model::Scan*> wanted;
         for (const model::Scan& scan : record.scans) {
-            if (accepted_pose(record, scan.id) != nullptr && may_show(record, scan, record.regions[i])) {
+            if (model::pose_in_force(record, scan.id) != nullptr && may_show(record, scan, record.regions[i])) {
                 wanted.push_back(&scan);
             }
         }

@@ -2,12 +2,12 @@
 #include "app/registration/register_scans.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -19,18 +19,18 @@
 #include "app/scans/scan_stores.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/geometry/pose_sigma.hpp"
 
 namespace planum::app {
 
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kPoorPosition = 0.010;          ///< [m]
-constexpr double kPoorRotation = 0.1 / kDegrees; ///< [rad]
 
-double largest_sigma(const Eigen::Matrix3d& covariance) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-    return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
+std::array<double, 36> row_major(const geometry::Matrix6& covariance) {
+    std::array<double, 36> numbers{};
+    Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(numbers.data()) = covariance;
+    return numbers;
 }
 
 /// Which scans take part, in natural order, and which of them are to be placed.
@@ -52,7 +52,7 @@ ChainInput chain_input(Project& project, const RegisterOptions& options) {
     for (const auto& scan : scans) {
         ChainScan one;
         one.scan = scan;
-        const model::ScanPose* pose = accepted_pose(record, scan.id);
+        const model::ScanPose* pose = model::pose_in_force(record, scan.id);
         const bool is_asked = options.day.empty() ? options.again || pose == nullptr : scan.day == options.day;
         has_day = has_day || scan.day == options.day;
         if (pose != nullptr) {
@@ -81,10 +81,10 @@ std::string placed_by(const ChainScanResult& scan) {
 /// The sentence about a placed scan, and whether it is placed poorly.
 void judge(ReportedScan& reported, const ChainScanResult& result) {
     std::vector<std::string> doubts;
-    if (reported.sigma_position > kPoorPosition) {
+    if (reported.sigma_position > model::kPoorPosition) {
         doubts.push_back(fmt::format("its position is only known to {:.0f} mm", reported.sigma_position * 1e3));
     }
-    if (reported.sigma_rotation_deg > kPoorRotation * kDegrees) {
+    if (reported.sigma_rotation_deg > model::kPoorRotation * kDegrees) {
         doubts.push_back(fmt::format("its direction is only known to {:.2f} degrees", reported.sigma_rotation_deg));
     }
     if (result.by_features_only) doubts.push_back("it was placed by features alone, which are good to centimetres");
@@ -115,14 +115,14 @@ ReportedScan report_scan(const ChainScan& scan, const ChainScanResult& result) {
     reported.status = "registered";
     reported.method = result.links == 0 ? "markers" : result.by_features_only ? "features" : "icp";
     reported.site_from_scan = geometry::to_row_major(result.pose->site_from_scan);
-    Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(reported.covariance.data()) = result.pose->covariance;
+    reported.covariance = row_major(result.pose->covariance);
     reported.rms = result.rms;
     reported.overlap = result.overlap;
-    reported.sigma_position = largest_sigma(result.pose->covariance.bottomRightCorner<3, 3>());
-    reported.sigma_rotation_deg = largest_sigma(result.pose->covariance.topLeftCorner<3, 3>()) * kDegrees;
-    reported.sigma_to_others = result.links == 0
-                                   ? reported.sigma_position
-                                   : largest_sigma(result.pose->link_covariance.bottomRightCorner<3, 3>());
+    const geometry::PoseSigma sigma = geometry::worst_sigma(reported.covariance);
+    reported.sigma_position = sigma.position;
+    reported.sigma_rotation_deg = sigma.rotation * kDegrees;
+    reported.sigma_to_others =
+        result.links == 0 ? sigma.position : geometry::worst_sigma(row_major(result.pose->link_covariance)).position;
     judge(reported, result);
     return reported;
 }
@@ -132,14 +132,15 @@ ReportedLink report_link(const ChainInput& input, const ChainLink& link) {
     reported.from = input.scans[link.target].scan.name;
     reported.to = input.scans[link.source].scan.name;
     reported.from_from_to = geometry::to_row_major(link.target_from_source);
-    Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(reported.covariance.data()) = link.covariance;
+    reported.covariance = row_major(link.covariance);
     reported.is_accepted = link.is_used;
     reported.rms = link.rms;
     reported.overlap = link.overlap;
     reported.matches = link.matches;
     reported.inliers = link.inliers;
-    reported.sigma_position = largest_sigma(link.covariance.bottomRightCorner<3, 3>());
-    reported.sigma_rotation_deg = largest_sigma(link.covariance.topLeftCorner<3, 3>()) * kDegrees;
+    const geometry::PoseSigma sigma = geometry::worst_sigma(reported.covariance);
+    reported.sigma_position = sigma.position;
+    reported.sigma_rotation_deg = sigma.rotation * kDegrees;
     reported.error_before = link.check.before;
     reported.error_after = link.check.after;
     reported.shift = link.check.shift;

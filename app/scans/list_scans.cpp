@@ -6,22 +6,17 @@
 #include <filesystem>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "app/scans/days_surface.hpp"
 #include "app/scans/scan_stores.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/geometry/pose_sigma.hpp"
 
 namespace planum::app {
 
 namespace {
-
-double largest_sigma(const Eigen::Matrix3d& covariance) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-    return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
-}
 
 void add_pose(ListedScan& listed, const model::ScanPose& pose, const model::Record& record) {
     listed.status = "registered";
@@ -29,9 +24,9 @@ void add_pose(ListedScan& listed, const model::ScanPose& pose, const model::Reco
     listed.rms = pose.rms;
     listed.overlap = pose.overlap;
     listed.verdict = pose.verdict;
-    const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> covariance(pose.covariance.data());
-    listed.sigma_rotation_deg = largest_sigma(covariance.topLeftCorner<3, 3>()) * 180.0 / std::numbers::pi;
-    listed.sigma_position = largest_sigma(covariance.bottomRightCorner<3, 3>());
+    const geometry::PoseSigma sigma = geometry::worst_sigma(pose.covariance);
+    listed.sigma_rotation_deg = sigma.rotation * 180.0 / std::numbers::pi;
+    listed.sigma_position = sigma.position;
     for (const model::RegistrationRun& run : record.runs) {
         if (run.id == pose.run) listed.method = run.method;
     }
@@ -53,7 +48,7 @@ std::vector<ListedScan> list_scans(Project& project) {
         for (const model::Surface& surface : record.surfaces) {
             if (surface.id == scan.surface) listed.surface = surface_name(record, surface);
         }
-        if (const model::ScanPose* pose = accepted_pose(record, scan.id); pose != nullptr) {
+        if (const model::ScanPose* pose = model::pose_in_force(record, scan.id); pose != nullptr) {
             add_pose(listed, *pose, record);
         }
         all.push_back(std::move(listed));

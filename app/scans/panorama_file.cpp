@@ -15,7 +15,7 @@ namespace planum::app {
 namespace {
 
 std::optional<Eigen::Isometry3d> pose_of(const model::Record& record, model::ScanId scan) {
-    const model::ScanPose* pose = accepted_pose(record, scan);
+    const model::ScanPose* pose = model::pose_in_force(record, scan);
     if (pose == nullptr) return std::nullopt;
     const geometry::Rigid3 rigid = geometry::from_row_major(pose->site_from_scan);
     Eigen::Isometry3d site_from_scan = Eigen::Isometry3d::Identity();

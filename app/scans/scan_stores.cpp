@@ -78,29 +78,13 @@ std::shared_ptr<const scans::PointStore> open_store(const fs::path& project, con
     return std::make_shared<const scans::PointStore>(scans::PointStore::open(file));
 }
 
-const model::ScanPose* accepted_pose(const model::Record& record, model::ScanId scan) {
-    const model::ScanPose* best = nullptr;
-    const model::RegistrationRun* best_run = nullptr;
-    for (const model::ScanPose& pose : record.poses) {
-        if (pose.scan != scan) continue;
-        const auto run = std::find_if(record.runs.begin(), record.runs.end(),
-                                      [&](const model::RegistrationRun& r) { return r.id == pose.run; });
-        if (run == record.runs.end() || run->state != "accepted") continue;
-        if (best_run == nullptr || std::tie(best_run->made_at, best_run->name) < std::tie(run->made_at, run->name)) {
-            best = &pose;
-            best_run = &*run;
-        }
-    }
-    return best;
-}
-
 std::vector<PlacedScan> placed_scans(Project& project, const std::function<bool(const model::Scan&)>& wanted,
                                      Progress& progress) {
     const model::Record& record = project.record();
     std::vector<PlacedScan> placed;
     for (const model::Scan& scan : record.scans) {
         if (wanted && !wanted(scan)) continue;
-        const model::ScanPose* pose = accepted_pose(record, scan.id);
+        const model::ScanPose* pose = model::pose_in_force(record, scan.id);
         if (pose == nullptr) continue;
         PlacedScan one;
         one.scan = scan;

@@ -36,9 +36,6 @@ namespace planum::app {
 /// when the new store is whole. Throws like open_store.
 void rebuild_store(const std::filesystem::path& project, const model::Scan& scan, Progress& progress);
 
-/// The pose that holds: that of the accepted run made last; nullptr when the scan has none.
-[[nodiscard]] const model::ScanPose* accepted_pose(const model::Record& record, model::ScanId scan);
-
 /// A scan on the site grid, with its points.
 struct PlacedScan {
     model::Scan scan;

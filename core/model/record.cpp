@@ -158,6 +158,24 @@ std::string RecordIndex::name(UnitId id) const {
     return unit == kNoUnit ? std::string{"?"} : name(unit);
 }
 
+const ScanPose* pose_in_force(const Record& record, ScanId scan) noexcept {
+    const ScanPose* best = nullptr;
+    const RegistrationRun* best_run = nullptr;
+    const auto is_later = [](const RegistrationRun& a, const RegistrationRun& b) {
+        return a.made_at != b.made_at ? a.made_at > b.made_at : text::natural_order(a.name, b.name) > 0;
+    };
+    for (const ScanPose& pose : record.poses) {
+        if (pose.scan != scan) continue;
+        const auto run = std::find_if(record.runs.begin(), record.runs.end(),
+                                      [&](const RegistrationRun& r) { return r.id == pose.run; });
+        if (run == record.runs.end() || run->state != "accepted") continue;
+        if (best_run != nullptr && !is_later(*run, *best_run)) continue;
+        best = &pose;
+        best_run = &*run;
+    }
+    return best;
+}
+
 void sort_record(Record& record) {
     sort_by_text(record.areas, [](const Area& a) -> std::string_view { return a.name; });
     sort_units(record);

@@ -91,6 +91,10 @@ class RecordIndex {
     std::unordered_map<AreaId, std::string> area_names_;
 };
 
+/// The pose that holds: that of the accepted run made last, of runs of one time the one with the larger name (10 after
+/// 2). nullptr: the scan is not on the site grid.
+[[nodiscard]] const ScanPose* pose_in_force(const Record& record, ScanId scan) noexcept;
+
 /// Brings a record into the order that Record promises.
 void sort_record(Record& record);
 

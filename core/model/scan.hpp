@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,10 @@ struct Scan {
 
     friend bool operator==(const Scan&, const Scan&) = default;
 };
+
+/// A scan placed no better than this is reported as placed poorly: σ in the worst direction and about the worst axis.
+inline constexpr double kPoorPosition = 0.010;                          ///< [m]
+inline constexpr double kPoorRotation = 0.1 * std::numbers::pi / 180.0; ///< [rad]
 
 /// Where a scan stands on the site grid: `x_in_site = site_from_scan * x_in_scan`.
 struct ScanPose {

@@ -18,7 +18,7 @@ namespace planum::gui {
 namespace {
 
 std::optional<geometry::Rigid3> pose_of(const model::Record& record, model::ScanId scan) {
-    const model::ScanPose* pose = app::accepted_pose(record, scan);
+    const model::ScanPose* pose = model::pose_in_force(record, scan);
     if (pose == nullptr) return std::nullopt;
     geometry::Rigid3 site_from_scan;
     for (int r = 0; r < 3; ++r) {

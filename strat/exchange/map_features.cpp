@@ -120,24 +120,10 @@ class Collector {
         add_loss(found_.lost, nowhere, "levels without a measured place");
     }
 
-    [[nodiscard]] const model::ScanPose* pose_of(const model::Scan& scan) const {
-        const model::ScanPose* best = nullptr;
-        std::string best_time;
-        for (const model::ScanPose& pose : record_.poses) {
-            const auto run = std::find_if(record_.runs.begin(), record_.runs.end(),
-                                          [&](const model::RegistrationRun& r) { return r.id == pose.run; });
-            if (pose.scan != scan.id || run == record_.runs.end() || run->state != "accepted") continue;
-            if (best != nullptr && run->made_at < best_time) continue;
-            best = &pose;
-            best_time = run->made_at;
-        }
-        return best;
-    }
-
     void stations() {
         std::size_t unplaced = 0;
         for (const model::Scan& scan : record_.scans) {
-            const model::ScanPose* pose = pose_of(scan);
+            const model::ScanPose* pose = model::pose_in_force(record_, scan.id);
             if (pose == nullptr) {
                 ++unplaced;
                 continue;

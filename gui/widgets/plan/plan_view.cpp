@@ -52,7 +52,7 @@ void PlanCanvas::refresh() {
         const model::SurfaceId surface = models().time.surface();
         if (!surface.is_nil()) shapes = regions_in_plan(snapshot, surface);
         for (const model::Scan& scan : record.scans) {
-            const model::ScanPose* pose = app::accepted_pose(record, scan.id);
+            const model::ScanPose* pose = model::pose_in_force(record, scan.id);
             if (pose == nullptr || scan.surface != surface) continue;
             const QString stem = qt(scan.name).section(QLatin1Char('/'), -1);
             marks_.push_back({Mark::Kind::Station, {pose->site_from_scan[3], pose->site_from_scan[7]}, stem, {}});

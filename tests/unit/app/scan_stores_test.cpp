@@ -84,28 +84,4 @@ TEST_CASE("one bad file among good ones adds nothing and leaves nothing behind")
     CHECK_FALSE(fs::exists(scans_folder(site)));
 }
 
-TEST_CASE("scans have a pose only from an accepted run, the last one") {
-    model::Record record;
-    const model::ScanId scan{Uuid{1, 1}};
-    const auto add = [&](std::uint64_t id, const char* made_at, const char* state, double x) {
-        model::RegistrationRun run;
-        run.id = model::RegistrationRunId{Uuid{2, id}};
-        run.made_at = made_at;
-        run.state = state;
-        record.runs.push_back(run);
-        model::ScanPose pose;
-        pose.scan = scan;
-        pose.run = run.id;
-        pose.site_from_scan[3] = x;
-        record.poses.push_back(pose);
-    };
-    add(1, "2025-06-03T10:00:00Z", "proposed", 1.0);
-    CHECK(accepted_pose(record, scan) == nullptr);
-    add(2, "2025-06-02T10:00:00Z", "accepted", 2.0);
-    add(3, "2025-06-01T10:00:00Z", "accepted", 3.0);
-    REQUIRE(accepted_pose(record, scan) != nullptr);
-    CHECK(accepted_pose(record, scan)->site_from_scan[3] == 2.0);
-    CHECK(accepted_pose(record, model::ScanId{Uuid{1, 2}}) == nullptr);
-}
-
 } // namespace planum::app
