@@ -108,12 +108,23 @@ void keep_differences(Comparison comparison, model::Record& drawn, strat::Drawin
 void keep_changed(Project& project, const DrawRequest& request, model::Record& drawn, strat::DrawingOptions& options) {
     const LoggedSince logged = logged_since(project, request.since);
     Comparison comparison = compare_readings(state_before(project, drawn, logged, request.since), drawn);
+    // What was there before and is there still, but says something else: the log knows it, the two states do not.
     std::set<model::UnitId> marked;
+    std::set<std::pair<model::UnitId, model::UnitId>> marked_orders;
     for (const strat::UnitMark& mark : comparison.units) marked.insert(mark.unit);
+    for (const strat::OrderMark& mark : comparison.orders) marked_orders.insert({mark.later, mark.earlier});
+    const auto mark_unit = [&](model::UnitId unit) {
+        if (marked.insert(unit).second) comparison.units.push_back({unit, strat::Mark::Changed});
+    };
+    for (const model::PhysicalRelation& r : drawn.relations) {
+        if (!logged.touched.contains(r.id.to_string()) || logged.inserted.contains(r.id.to_string())) continue;
+        if (!marked_orders.insert({r.subject, r.object}).second) continue;
+        comparison.orders.push_back({r.subject, r.object, strat::Mark::Changed});
+        mark_unit(r.subject);
+        mark_unit(r.object);
+    }
     for (const model::StratigraphicUnit& unit : drawn.units) {
-        if (!marked.contains(unit.id) && logged.touched.contains(unit.id.to_string())) {
-            comparison.units.push_back({unit.id, strat::Mark::Changed});
-        }
+        if (logged.touched.contains(unit.id.to_string())) mark_unit(unit.id);
     }
     if (comparison.units.empty()) {
         throw Error(ErrorCode::NotFound, "nothing was added, removed or changed since " + request.since);
