@@ -14,6 +14,7 @@
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
+#include "strat/exchange/delimited_table.hpp"
 
 namespace planum::app {
 
@@ -30,33 +31,20 @@ constexpr std::array<std::string_view, 5> kColumns = {"scan", "marker", "x", "y"
 /// Markers live in a registration run of their own, which places nothing.
 constexpr std::string_view kState = "survey";
 
-std::string unquoted(std::string_view field) {
-    field = text::trim(field);
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
-    return std::string(text::trim(field));
-}
-
-char separator_of(std::string_view header) {
-    for (const char c : {'\t', ';'}) {
-        if (header.find(c) != std::string_view::npos) return c;
-    }
-    return ',';
+// A comma may stand for the point where it does not separate.
+std::string decimal_point(std::string number) {
+    std::replace(number.begin(), number.end(), ',', '.');
+    return number;
 }
 
 class MarkerReader {
   public:
     explicit MarkerReader(std::string file) : file_(std::move(file)) {}
 
-    void header(std::string_view line) {
-        separator_ = separator_of(line);
-        const auto fields = text::split(line, separator_);
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            const std::string name = text::fold_case(unquoted(fields[i]));
-            for (std::size_t k = 0; k < kColumns.size(); ++k) {
-                if (name == kColumns[k]) column_[k] = i;
-            }
-        }
+    void header(const strat::TableRow& row) {
+        const strat::TableHeader header(row);
         for (std::size_t k = 0; k < kColumns.size(); ++k) {
+            column_[k] = header.find(kColumns[k]);
             if (column_[k]) continue;
             throw Error(ErrorCode::BadInput, fmt::format("{}: no column {}; a marker file begins with "
                                                          "scan,marker,x,y,z",
@@ -64,17 +52,17 @@ class MarkerReader {
         }
     }
 
-    void row(std::string_view line, std::size_t number) {
-        const auto fields = text::split(line, separator_);
+    void row(const strat::TableRow& row) {
+        const std::int64_t number = row.line;
         const auto field = [&](std::size_t k) {
-            if (*column_[k] >= fields.size()) fail(number, fmt::format("nothing under {}", kColumns[k]));
-            return unquoted(fields[*column_[k]]);
+            if (*column_[k] >= row.cells.size()) fail(number, fmt::format("nothing under {}", kColumns[k]));
+            return std::string(strat::cell(row, column_[k]));
         };
         Marker marker;
         marker.name = field(1);
         if (marker.name.empty()) fail(number, "a marker without a name");
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto value = text::parse_double(field(k + 2));
+            const auto value = text::parse_double(decimal_point(field(k + 2)));
             if (!value || !std::isfinite(*value) || std::abs(*value) > 1e8) {
                 fail(number, fmt::format("“{}” is no {} coordinate", field(k + 2), kColumns[k + 2]));
             }
@@ -91,12 +79,11 @@ class MarkerReader {
     MarkerTable table;
 
   private:
-    [[noreturn]] void fail(std::size_t line, std::string_view what) const {
+    [[noreturn]] void fail(std::int64_t line, std::string_view what) const {
         throw Error(ErrorCode::BadInput, fmt::format("{}: line {}: {}", file_, line, what));
     }
 
     std::string file_;
-    char separator_ = ',';
     std::array<std::optional<std::size_t>, 5> column_;
     std::set<std::pair<std::string, std::string>> seen_;
 };
@@ -170,19 +157,16 @@ std::size_t MarkerTable::size() const {
 }
 
 MarkerTable read_markers(const std::filesystem::path& file) {
-    const std::string content = text::clean_utf8(read_file(file, kLargestFile)).text;
+    const strat::DelimitedTable csv = strat::parse_table(read_file(file, kLargestFile), file.string());
     MarkerReader reader(file.string());
-    std::string_view rest = content;
-    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
     bool has_header = false;
-    std::size_t number = 0;
-    for (const std::string_view line : text::split(rest, '\n')) {
-        ++number;
-        if (text::trim(line).empty()) continue;
+    for (const strat::TableRow& row : csv.rows) {
+        const auto is_blank = [](const std::string& cell) { return text::trim(cell).empty(); };
+        if (std::all_of(row.cells.begin(), row.cells.end(), is_blank)) continue;
         if (has_header) {
-            reader.row(line, number);
+            reader.row(row);
         } else {
-            reader.header(line);
+            reader.header(row);
             has_header = true;
         }
     }
@@ -229,7 +213,8 @@ MarkerTable project_markers(const model::Record& record) {
         table.survey = markers_from(json.at("survey"));
         for (const auto& [scan, markers] : json.at("in_scan").items()) table.in_scan[scan] = markers_from(markers);
     } catch (const nlohmann::json::exception&) {
-        throw Error(ErrorCode::BadInput, "the project's markers cannot be read: planum undo, or import them again");
+        throw Error(ErrorCode::BadInput,
+                    "the project's markers cannot be read: planum undo takes the change back that spoilt them");
     }
     return table;
 }

@@ -71,7 +71,8 @@ ChainInput chain_input(Project& project, const RegisterOptions& options) {
     return input;
 }
 
-std::string placed_by(const ChainScanResult& scan) {
+std::string placed_by(const ChainScan& asked, const ChainScanResult& scan) {
+    if (asked.is_origin) return "its own frame, which is taken for the site grid";
     std::vector<std::string> parts;
     if (scan.anchored_by_markers) parts.push_back(fmt::format("{} markers", scan.markers.used));
     if (scan.links > 0) parts.push_back(scan.links == 1 ? "1 link" : fmt::format("{} links", scan.links));
@@ -79,7 +80,7 @@ std::string placed_by(const ChainScanResult& scan) {
 }
 
 /// The sentence about a placed scan, and whether it is placed poorly.
-void judge(ReportedScan& reported, const ChainScanResult& result) {
+void judge(ReportedScan& reported, const ChainScan& asked, const ChainScanResult& result) {
     std::vector<std::string> doubts;
     if (reported.sigma_position > model::kPoorPosition) {
         doubts.push_back(fmt::format("its position is only known to {:.0f} mm", reported.sigma_position * 1e3));
@@ -89,7 +90,7 @@ void judge(ReportedScan& reported, const ChainScanResult& result) {
     }
     if (result.by_features_only) doubts.push_back("it was placed by features alone, which are good to centimetres");
     reported.is_poor = !doubts.empty();
-    const std::string by = placed_by(result);
+    const std::string by = placed_by(asked, result);
     reported.verdict = reported.is_poor ? fmt::format("poorly placed by {}: {}", by, text::join(doubts, "; "))
                                         : fmt::format("placed by {}", by);
     for (const auto& marker : result.markers.residuals) {
@@ -113,7 +114,10 @@ ReportedScan report_scan(const ChainScan& scan, const ChainScanResult& result) {
         return reported;
     }
     reported.status = "registered";
-    reported.method = result.links == 0 ? "markers" : result.by_features_only ? "features" : "icp";
+    reported.method = scan.is_origin            ? "origin"
+                      : result.links == 0       ? "markers"
+                      : result.by_features_only ? "features"
+                                                : "icp";
     reported.site_from_scan = geometry::to_row_major(result.pose->site_from_scan);
     reported.covariance = row_major(result.pose->covariance);
     reported.rms = result.rms;
@@ -123,7 +127,7 @@ ReportedScan report_scan(const ChainScan& scan, const ChainScanResult& result) {
     reported.sigma_rotation_deg = sigma.rotation * kDegrees;
     reported.sigma_to_others =
         result.links == 0 ? sigma.position : geometry::worst_sigma(row_major(result.pose->link_covariance)).position;
-    judge(reported, result);
+    judge(reported, scan, result);
     return reported;
 }
 

@@ -26,7 +26,7 @@ struct ReportedScan {
     std::string day;
     std::int64_t points = 0;
     std::string status;                                   ///< registered, failed
-    std::string method;                                   ///< how it was placed: markers, features, icp, held
+    std::string method;                                   ///< how it was placed: markers, features, icp, origin
     std::optional<std::array<double, 16>> site_from_scan; ///< row-major
     std::array<double, 36> covariance{};                  ///< see model::ScanPose
     double rms = 0.0;                                     ///< of its best link or, without links, of its markers [m]

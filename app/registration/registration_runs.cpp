@@ -37,7 +37,11 @@ const model::RegistrationRun& run_named(const model::Record& record, std::string
 RegistrationReport set_state(Project& project, std::string_view name, const std::string& state,
                              std::string_view label) {
     model::RegistrationRun run = run_named(project.record(), name);
-    if (run.state == state)
+    const auto& runs = project.record().runs;
+    const bool is_last = std::none_of(runs.begin(), runs.end(), [&](const model::RegistrationRun& other) {
+        return other.state == state && other.id != run.id && other.made_at > run.made_at;
+    });
+    if (run.state == state && (state != "accepted" || is_last))
         throw Error(ErrorCode::Conflict, fmt::format("registration run {} is {} already", name, state));
     RegistrationReport report = registration_report(run.report);
     report.state = state;
