@@ -117,6 +117,7 @@ void say_cleaned(const Context& context, const app::Cleaned& cleaned) {
 
 // A damaged project is not cleaned: what looks useless may be what a rescue needs.
 void run_verify(Context& context, const VerifyOptions& options) {
+    const std::string day = app::day_from("forget-undo-before", options.forget_undo_before);
     app::Project project = context.open(options.clean ? OpenMode::ReadWrite : OpenMode::ReadOnly);
     std::vector<std::pair<std::string, std::string>> problems;
     for (const auto& problem : project.file().verify(*context.progress))
@@ -124,10 +125,6 @@ void run_verify(Context& context, const VerifyOptions& options) {
     const bool is_sound = problems.empty();
     for (const auto& problem : app::verify_scans(project, *context.progress)) {
         problems.emplace_back(problem.where, problem.what);
-    }
-    if (options.clean && is_sound) {
-        const std::string day = app::day_from("forget-undo-before", options.forget_undo_before);
-        say_cleaned(context, app::clean_project(project, day, *context.progress));
     }
     if (context.json) {
         ordered_json list = ordered_json::array();
@@ -138,6 +135,9 @@ void run_verify(Context& context, const VerifyOptions& options) {
         if (problems.empty()) *context.out << "no problem found in " << context.site << '\n';
     }
     if (!problems.empty()) context.status = exit_status(ErrorCode::BadInput);
+    if (!options.clean) return;
+    if (is_sound) return say_cleaned(context, app::clean_project(project, day, *context.progress));
+    context.say("nothing was cleaned: the project file itself is not sound");
 }
 
 void run_backup(const Context& context, const std::string& target) {
