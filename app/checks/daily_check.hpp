@@ -38,6 +38,10 @@ void accept_problem(Project& project, std::string_view id, std::string_view beca
 /// Signs the day off by name: what is undecided now is no longer new tomorrow.
 void sign_off(Project& project, Progress& progress);
 
+/// The interpretation of that name, its parent, and so on to the root. A ring of parents, as another program may make
+/// one, ends the walk. Throws NotFound.
+[[nodiscard]] std::vector<const model::Interpretation*> lineage(const model::Record& record, const std::string& name);
+
 /// The record as an interpretation reads it: relations of its parents, plus added, less dropped. An empty name
 /// is the field record. Throws NotFound.
 [[nodiscard]] model::Record interpreted(const model::Record& record, const std::string& interpretation);

@@ -10,9 +10,6 @@
 
 namespace planum::app {
 
-namespace {
-
-// From the one named down to the root. A ring of parents ends the walk.
 std::vector<const model::Interpretation*> lineage(const model::Record& record, const std::string& name) {
     std::vector<const model::Interpretation*> line;
     const auto find = [&](auto matches) -> const model::Interpretation* {
@@ -28,8 +25,6 @@ std::vector<const model::Interpretation*> lineage(const model::Record& record, c
     }
     return line;
 }
-
-} // namespace
 
 model::Record interpreted(const model::Record& record, const std::string& interpretation) {
     model::Record result = record;

@@ -44,8 +44,8 @@ std::vector<PhysicalRelation> inherited(Project& project, const Interpretation& 
 }
 
 void add_to(Interpretation& reading, const std::string& text, Project& project) {
+    const std::vector<PhysicalRelation> there = inherited(project, reading);
     for (const SaidRelation& said : sentences(project, text)) {
-        const auto there = inherited(project, reading);
         const auto is_it = [&](const PhysicalRelation& relation) { return says(relation, said); };
         if (std::any_of(reading.added.begin(), reading.added.end(), is_it)) continue;
         if (const auto it = std::find_if(there.begin(), there.end(), is_it); it != there.end()) {
@@ -63,10 +63,10 @@ void add_to(Interpretation& reading, const std::string& text, Project& project) 
 }
 
 void drop_from(Interpretation& reading, const std::string& text, Project& project) {
+    const std::vector<PhysicalRelation> there = inherited(project, reading);
     for (const SaidRelation& said : sentences(project, text)) {
         const auto is_it = [&](const PhysicalRelation& relation) { return says(relation, said); };
         if (std::erase_if(reading.added, is_it) > 0) continue;
-        const auto there = inherited(project, reading);
         const auto it = std::find_if(there.begin(), there.end(), is_it);
         if (it == there.end()) {
             throw Error(ErrorCode::NotFound, fmt::format("drops: no relation {} {} {} in what the interpretation is of",
@@ -103,11 +103,10 @@ void set_parent(Interpretation& reading, const std::string& name, Project& proje
     if (it == all.end()) {
         throw Error(ErrorCode::NotFound, fmt::format("parent: there is no interpretation {}; add it first", name));
     }
-    for (const Interpretation* at = &*it; at != nullptr; at = with_id(project.record(), at->parent)) {
-        if (at->id == reading.id) {
+    for (const Interpretation* ancestor : lineage(project.record(), name)) {
+        if (ancestor->id == reading.id) {
             throw Error(ErrorCode::BadInput, fmt::format("parent: {} is read from {} itself", name, reading.name));
         }
-        if (at->parent == it->id) break; // a ring made by another program
     }
     reading.parent = it->id;
 }
