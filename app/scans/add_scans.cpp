@@ -68,6 +68,14 @@ FoundFiles expand(const std::vector<fs::path>& inputs) {
     return found;
 }
 
+FoundFiles find_files(const std::vector<fs::path>& inputs) {
+    try {
+        return expand(inputs);
+    } catch (const fs::filesystem_error& e) {
+        throw Error(ErrorCode::Io, fmt::format("{}: {}", e.path1().string(), e.code().message()));
+    }
+}
+
 // What is to be added, before anything is made.
 struct Plan {
     struct File {
@@ -268,7 +276,7 @@ AddScansReport add_scans(Project& project, const std::vector<fs::path>& inputs, 
     }
 
     AddScansReport report;
-    FoundFiles found = expand(inputs);
+    FoundFiles found = find_files(inputs);
     report.left_aside = std::move(found.left_aside);
     Planner planner(project, options);
     for (const fs::path& file : found.files) planner.add(file, progress);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/scans/verify_scans.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <set>
 
@@ -56,7 +57,9 @@ std::string mend(const Project& project, const model::Scan& scan, Progress& prog
 
 bool is_running(std::string_view process) {
     const auto number = text::parse_integer(process);
-    return number && *number > 0 && ::kill(static_cast<pid_t>(*number), 0) == 0;
+    if (!number || *number <= 0) return false;
+    // Another user's program may not be signalled, and runs all the same.
+    return ::kill(static_cast<pid_t>(*number), 0) == 0 || errno == EPERM;
 }
 
 // `NAME.PID.part`, of a program that is no longer there.
