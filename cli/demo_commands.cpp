@@ -41,6 +41,7 @@ void print_json(const Context& context, const app::DemoJob& job, const Options& 
                    {"units", job.units},
                    {"scans", job.scans},
                    {"points", job.points},
+                   {"registered", job.registered},
                    {"regions", job.regions},
                    {"errors", job.errors},
                    {"warnings", job.warnings},
@@ -62,11 +63,13 @@ void run_demo(const Context& context, const Options& options) {
     out << fmt::format("  record/         its sheets; check says {} errors, {} warnings\n", job.errors, job.warnings);
     out << fmt::format("  with-mistakes/  a copy with {} mistakes; check says {} errors, {} warnings\n", job.mistakes,
                        job.errors_mistaken, job.warnings_mistaken);
-    out << "  DAY/*.ptx       the scans, markers.csv what was measured of the markers\n"
-           "  outlines/       what the draughtsman drew on each day\n"
+    const std::string placed = job.registered > 0 ? fmt::format("; {} are on the site grid", job.registered) : "";
+    out << fmt::format("  DAY/*.ptx       the scans, markers.csv what was measured of the markers{}\n", placed);
+    out << "  outlines/       what the draughtsman drew on each day\n"
            "  truth.json      what is true: poses, order, contacts, volumes, mistakes\n\n";
     out << "look at these next:\n";
     for (const auto& file : job.drawings) out << "  " << file.string() << '\n';
+    if (job.registered == 0) out << fmt::format("  planum register {}   (takes minutes)\n", job.project.string());
     out << fmt::format("  planum check {}\n  planum today {}\n  planum scan list {}\n  planum region list {}\n",
                        job.mistaken_project.string(), job.project.string(), job.project.string(), job.project.string());
 }

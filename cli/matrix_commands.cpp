@@ -76,7 +76,12 @@ void run_draw(const Context& context, const Options& options) {
     app::Project project = context.open(OpenMode::ReadOnly);
     const std::string ending = text::fold_case(std::filesystem::path(options.output).extension().string());
     if (ending != ".svg" && ending != ".pdf" && ending != ".png") {
-        return write_export(context, project, options.output, {options.format, options.draw.interpretation});
+        try {
+            return write_export(context, project, options.output, {options.format, options.draw.interpretation});
+        } catch (Error& e) {
+            if (e.code() == ErrorCode::Usage) e.add_context("a drawing is .svg, .pdf or .png");
+            throw;
+        }
     }
     const paint::FontTextMeasure measure;
     const strat::MatrixDrawing drawing = app::draw_matrix(project, options.draw, measure, *context.progress);

@@ -9,6 +9,8 @@
 #include "app/drawing/draw_matrix.hpp"
 #include "app/import/import_service.hpp"
 #include "app/regions/region_import.hpp"
+#include "app/registration/import_markers.hpp"
+#include "app/registration/register_scans.hpp"
 #include "app/reports/report.hpp"
 #include "app/scans/add_scans.hpp"
 #include "app/scans/days_surface.hpp"
@@ -39,6 +41,13 @@ std::vector<fs::path> day_folders(const fs::path& folder) {
         if (entry.is_directory() && is_day(entry.path().filename().string())) days.push_back(entry.path());
     }
     return days;
+}
+
+std::size_t register_all(Project& project, Progress& progress) {
+    const RegistrationReport report = register_scans(project, {}, progress);
+    return static_cast<std::size_t>(
+        std::count_if(report.scans.begin(), report.scans.end(),
+                      [](const ReportedScan& scan) { return scan.status == "registered"; }));
 }
 
 // What the draughtsman drew, day by day.
@@ -73,6 +82,8 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
     Project project = project_of(job.project, folder / "record", options.method, session, progress);
     job.units = project.record().units.size();
     add_scans(project, day_folders(folder), {}, progress);
+    import_markers(project, folder / "markers.csv", {});
+    if (options.size <= demo::DemoSize::Small) job.registered = register_all(project, progress);
     progress.step("taking the outlines in");
     job.regions = import_outlines_of(project, folder, progress);
     const DailyCheck check = check_project(project, {}, progress);

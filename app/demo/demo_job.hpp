@@ -21,7 +21,8 @@ struct DemoJob {
     std::size_t units = 0;
     std::size_t scans = 0;
     std::int64_t points = 0;
-    std::size_t regions = 0; ///< outlines taken in
+    std::size_t registered = 0; ///< scans on the site grid
+    std::size_t regions = 0;    ///< outlines taken in
     std::size_t mistakes = 0;
     std::size_t errors = 0; ///< what check says about the sheets as they should be
     std::size_t warnings = 0;
@@ -30,8 +31,9 @@ struct DemoJob {
 };
 
 /// Simulates a dig, writes it into `folder` (see demo::write_demo) and runs the job on it: a project from the
-/// sheets with the scans and outlines, one from the copy with mistakes, both checked; matrix.svg, report.html,
-/// report.xml and panorama.png of the first. Throws Conflict when the folder is not empty.
+/// sheets with the scans, markers and outlines, one from the copy with mistakes, both checked; matrix.svg, report.html,
+/// report.xml and panorama.png of the first. The scans of a small dig are registered; larger ones take minutes, which
+/// are left to the user. Throws Conflict when the folder is not empty.
 [[nodiscard]] DemoJob run_demo_job(const std::filesystem::path& folder, const demo::SimulationOptions& options,
                                    const Session& session, const strat::TextMeasure& measure, Progress& progress);
 

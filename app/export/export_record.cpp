@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/export_record.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,9 +23,11 @@ const strat::Writer& writer_of(const std::filesystem::path& file, const std::str
     for (const strat::Writer& writer : strat::all_writers()) {
         if (!writer.extension.empty() && "." + std::string(writer.extension) == ending) return writer;
     }
-    std::vector<std::string> known = {".csv"};
+    std::vector<std::string> known;
     for (const strat::Writer& writer : strat::all_writers()) {
-        if (!writer.extension.empty()) known.push_back("." + std::string(writer.extension));
+        std::string one = "." + std::string(writer.extension);
+        if (one.size() > 1 && std::find(known.begin(), known.end(), one) == known.end())
+            known.push_back(std::move(one));
     }
     throw Error(ErrorCode::Usage, fmt::format("{}: no format ends in {}; known are {}", file.string(),
                                               ending.empty() ? "nothing" : ending, text::join(known, ", ")));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/reports/html_report.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <unordered_map>
 #include <variant>
@@ -123,22 +125,37 @@ class Page {
                           : fmt::format("<div class=\"problem {}\">", to_word(severity));
     }
 
-    void problems() {
-        out_ += fmt::format("<h2 id=\"problems\">Problems ({})</h2>\n", input_.diagnostics.size());
-        for (const model::Diagnostic& d : input_.diagnostics) {
-            open_problem(d.severity);
-            out_ += fmt::format("<span class=\"code\">{0} · {1} · {2}</span><br/>{3}", to_word(d.severity),
-                                xml_escaped(d.code), xml_escaped(d.id), xml_escaped(d.message));
-            if (!d.suspects.empty()) out_ += "\n<ol>\n";
-            for (const model::Suspect& s : d.suspects) {
-                std::vector<std::string> reasons;
-                for (const std::string& reason : s.reasons) reasons.push_back(xml_escaped(reason));
-                out_ += fmt::format("<li>{}{}{}</li>\n", suspect(s), reasons.empty() ? "" : ": ",
-                                    text::join(reasons, "; "));
-            }
-            if (!d.suspects.empty()) out_ += "</ol>\n";
-            out_ += on_paper_ ? "</td></tr></table>\n" : "</div>\n";
+    void problem(const model::Diagnostic& d) {
+        open_problem(d.severity);
+        out_ += fmt::format("<span class=\"code\">{0} · {1} · {2}</span><br/>{3}", to_word(d.severity),
+                            xml_escaped(d.code), xml_escaped(d.id), xml_escaped(d.message));
+        if (!d.suspects.empty()) out_ += "\n<ol>\n";
+        for (const model::Suspect& s : d.suspects) {
+            std::vector<std::string> reasons;
+            for (const std::string& reason : s.reasons) reasons.push_back(xml_escaped(reason));
+            out_ +=
+                fmt::format("<li>{}{}{}</li>\n", suspect(s), reasons.empty() ? "" : ": ", text::join(reasons, "; "));
         }
+        if (!d.suspects.empty()) out_ += "</ol>\n";
+        out_ += on_paper_ ? "</td></tr></table>\n" : "</div>\n";
+    }
+
+    // What nobody has to act upon stands behind what somebody has to, in one list.
+    void problems() {
+        const auto& all = input_.diagnostics;
+        const auto is_remark = [](const model::Diagnostic& d) { return d.severity == model::Severity::Info; };
+        const auto remarks = std::count_if(all.begin(), all.end(), is_remark);
+        out_ +=
+            fmt::format("<h2 id=\"problems\">Problems ({})</h2>\n", static_cast<std::ptrdiff_t>(all.size()) - remarks);
+        if (static_cast<std::ptrdiff_t>(all.size()) == remarks) out_ += "<p>No error and no warning is open.</p>\n";
+        for (const model::Diagnostic& d : all) {
+            if (!is_remark(d)) problem(d);
+        }
+        if (remarks > 0) out_ += fmt::format("<h3>Remarks ({})</h3>\n<ul>\n", remarks);
+        for (const model::Diagnostic& d : all) {
+            if (is_remark(d)) out_ += fmt::format("<li>{}</li>\n", xml_escaped(d.message));
+        }
+        if (remarks > 0) out_ += "</ul>\n";
         if (!input_.accepted.empty()) out_ += fmt::format("<h3>Accepted ({})</h3>\n", input_.accepted.size());
         for (const model::Diagnostic& d : input_.accepted) {
             std::string because;
