@@ -198,15 +198,22 @@ void Database::stop_with(std::stop_token token) {
 }
 
 void Database::compact() const {
-    // SQLite attaches the new file to the old one while it copies.
+    // SQLite attaches the new file to the old one while it copies; on disk, also where temporary data are kept in
+    // memory.
     const int none = sqlite3_limit(connection_->handle, SQLITE_LIMIT_ATTACHED, 1);
+    const std::string temporary = text("PRAGMA temp_store");
+    const auto restore = [&] {
+        execute("PRAGMA temp_store = " + temporary);
+        sqlite3_limit(connection_->handle, SQLITE_LIMIT_ATTACHED, none);
+    };
+    execute("PRAGMA temp_store = FILE");
     try {
         execute("VACUUM");
     } catch (...) {
-        sqlite3_limit(connection_->handle, SQLITE_LIMIT_ATTACHED, none);
+        restore();
         throw;
     }
-    sqlite3_limit(connection_->handle, SQLITE_LIMIT_ATTACHED, none);
+    restore();
 }
 
 void Database::enable_triggers(bool on) const {
