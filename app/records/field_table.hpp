@@ -63,7 +63,7 @@ Field<T> integer_field(std::string name, std::string help, std::optional<std::in
 
 /// A field of an enumeration; `from` reads its words, `allowed` lists them for the error.
 template<class T, class Enum, class From>
-Field<T> word_field(std::string name, std::string help, Enum T::*member, From from, std::string allowed) {
+Field<T> word_field(std::string name, const std::string& help, Enum T::*member, From from, const std::string& allowed) {
     return {{name, help + " (" + allowed + ")"},
             [member](const T& value, Project&) { return std::string(to_word(value.*member)); },
             [member, name, from, allowed](T& value, const std::string& text, Project&) {

@@ -204,7 +204,7 @@ ChangeEntry run_step(ProjectFile::State& state, const Step& step) {
     const sqlite::Database& database = state.database;
     const BareApplication bare(database);
     sqlite::Transaction transaction(database);
-    const ChangeEntry entry = find_change(state, step);
+    ChangeEntry entry = find_change(state, step);
     const sqlite::Changeset changes = read_changeset(database, entry.number);
     if (changes.empty()) {
         throw Error(ErrorCode::Conflict, fmt::format("{}: {} \"{}\" of {} is no longer possible: undo steps up to then "
