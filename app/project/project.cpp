@@ -38,28 +38,6 @@ bool is_one_slip_apart(std::string_view a, std::string_view b) {
     return i + 1 < a.size() && a[i] == b[i + 1] && a[i + 1] == b[i] && a.substr(i + 2) == b.substr(i + 2);
 }
 
-} // namespace
-
-struct Project::State {
-    State(store::ProjectFile opened) : file(std::move(opened)) {} // NOLINT(google-explicit-constructor)
-
-    store::ProjectFile file;
-    std::string author;
-    const Clock* clock = nullptr;
-    UuidSource* uuids = nullptr;
-    std::unique_ptr<SystemClock> own_clock;
-    std::unique_ptr<TimeOrderedUuids> own_uuids;
-    std::optional<model::Record> record;
-    std::optional<model::RecordIndex> index;
-
-    void forget() {
-        index.reset();
-        record.reset();
-    }
-};
-
-namespace {
-
 // Everything a file needs from outside, owned as long as the project lives.
 struct Surroundings {
     std::unique_ptr<SystemClock> own_clock;
@@ -77,27 +55,38 @@ struct Surroundings {
 
 } // namespace
 
+struct Project::State {
+    State(store::ProjectFile opened, Surroundings around)
+        : file(std::move(opened)), author(std::move(around.environment.author)), clock(around.environment.clock),
+          uuids(around.environment.uuids), own_clock(std::move(around.own_clock)),
+          own_uuids(std::move(around.own_uuids)) {}
+
+    store::ProjectFile file;
+    std::string author;
+    const Clock* clock = nullptr;
+    UuidSource* uuids = nullptr;
+    std::unique_ptr<SystemClock> own_clock;
+    std::unique_ptr<TimeOrderedUuids> own_uuids;
+    std::optional<model::Record> record;
+    std::optional<model::RecordIndex> index;
+
+    void forget() {
+        index.reset();
+        record.reset();
+    }
+};
+
 Project Project::create(const std::filesystem::path& file, const model::ProjectSettings& settings,
                         const Session& session) {
     Surroundings around(session);
-    auto state = std::make_unique<State>(store::ProjectFile::create(file, settings, around.environment));
-    state->author = around.environment.author;
-    state->clock = around.environment.clock;
-    state->uuids = around.environment.uuids;
-    state->own_clock = std::move(around.own_clock);
-    state->own_uuids = std::move(around.own_uuids);
-    return Project(std::move(state));
+    store::ProjectFile opened = store::ProjectFile::create(file, settings, around.environment);
+    return Project(std::make_unique<State>(std::move(opened), std::move(around)));
 }
 
 Project Project::open(const std::filesystem::path& file, store::OpenMode mode, const Session& session) {
     Surroundings around(session);
-    auto state = std::make_unique<State>(store::ProjectFile::open(file, mode, around.environment));
-    state->author = around.environment.author;
-    state->clock = around.environment.clock;
-    state->uuids = around.environment.uuids;
-    state->own_clock = std::move(around.own_clock);
-    state->own_uuids = std::move(around.own_uuids);
-    return Project(std::move(state));
+    store::ProjectFile opened = store::ProjectFile::open(file, mode, around.environment);
+    return Project(std::make_unique<State>(std::move(opened), std::move(around)));
 }
 
 Project::Project(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}

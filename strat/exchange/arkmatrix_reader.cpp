@@ -14,6 +14,7 @@
 #include "core/base/text.hpp"
 #include "strat/exchange/readers.hpp"
 #include "strat/exchange/record_builder.hpp"
+#include "strat/exchange/table_reader.hpp"
 
 namespace planum::strat {
 
@@ -223,24 +224,19 @@ Recognition recognise(std::span<const InputFile> files) {
     return result;
 }
 
-Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
-    RecordBuilder builder(options);
-    for (const InputFile* file : files) {
-        progress.check();
-        require_text(*file, "an ArkMatrix table");
-        DelimitedTable table = parse_table(file->bytes, file->name);
-        builder.add_notes(std::move(table.notes));
-        if (is_tagged(table)) {
-            TaggedReader(builder, file->name).read(table);
-        } else if (std::any_of(table.rows.begin(), table.rows.end(),
-                               [](const auto& r) { return r.cells.size() > 1; })) {
-            read_simple(table, file->name, builder);
-        } else {
-            throw Error(ErrorCode::BadInput,
-                        fmt::format("{}: neither two columns (above, below) nor three (unit, value, tag)", file->name));
-        }
+void read_table(DelimitedTable& table, const InputFile& file, RecordBuilder& builder) {
+    if (is_tagged(table)) {
+        TaggedReader(builder, file.name).read(table);
+    } else if (std::any_of(table.rows.begin(), table.rows.end(), [](const auto& r) { return r.cells.size() > 1; })) {
+        read_simple(table, file.name, builder);
+    } else {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: neither two columns (above, below) nor three (unit, value, tag)", file.name));
     }
-    return builder.finish();
+}
+
+Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
+    return read_tables(files, options, progress, "an ArkMatrix table", read_table);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/text.hpp"
+#include "core/base/utf8.hpp"
 #include "strat/exchange/delimited_table.hpp"
 
 namespace planum::strat {
@@ -16,25 +17,6 @@ namespace {
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 constexpr std::string_view kLittleEndianMark = "\xFF\xFE";
 constexpr std::string_view kBigEndianMark = "\xFE\xFF";
-
-void append_code(std::string& out, char32_t code) {
-    const auto put = [&](char32_t byte) { out.push_back(static_cast<char>(byte)); };
-    if (code < 0x80U) {
-        put(code);
-    } else if (code < 0x800U) {
-        put(0xC0U | (code >> 6U));
-        put(0x80U | (code & 0x3FU));
-    } else if (code < 0x10000U) {
-        put(0xE0U | (code >> 12U));
-        put(0x80U | ((code >> 6U) & 0x3FU));
-        put(0x80U | (code & 0x3FU));
-    } else {
-        put(0xF0U | (code >> 18U));
-        put(0x80U | ((code >> 12U) & 0x3FU));
-        put(0x80U | ((code >> 6U) & 0x3FU));
-        put(0x80U | (code & 0x3FU));
-    }
-}
 
 // A half surrogate or an odd last byte becomes a byte that is no UTF-8, so that cleaning counts it.
 std::string from_utf16(std::string_view bytes, bool little_endian) {
@@ -50,12 +32,12 @@ std::string from_utf16(std::string_view bytes, bool little_endian) {
         const char32_t code = unit_at(i);
         const bool high = code >= 0xD800U && code < 0xDC00U;
         if (high && i + 3 < bytes.size() && unit_at(i + 2) >= 0xDC00U && unit_at(i + 2) < 0xE000U) {
-            append_code(out, 0x10000U + ((code - 0xD800U) << 10U) + (unit_at(i + 2) - 0xDC00U));
+            text::append_utf8(out, 0x10000U + ((code - 0xD800U) << 10U) + (unit_at(i + 2) - 0xDC00U));
             i += 2;
         } else if (code >= 0xD800U && code < 0xE000U) {
             out.push_back('\xFF');
         } else {
-            append_code(out, code);
+            text::append_utf8(out, code);
         }
     }
     if (i < bytes.size()) out.push_back('\xFF');

@@ -13,6 +13,7 @@
 #include "strat/exchange/hmc_nodes.hpp"
 #include "strat/exchange/readers.hpp"
 #include "strat/exchange/record_builder.hpp"
+#include "strat/exchange/table_reader.hpp"
 
 namespace planum::strat {
 
@@ -111,38 +112,29 @@ class HmcTable {
     std::unordered_set<std::string> groups_;
 };
 
-Recognition recognise(std::span<const InputFile> files) {
-    Recognition result;
-    result.why = "lines tagged HEADER, PROJECT, UNIT";
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const DelimitedTable table = glimpse_table(files[i]);
-        const bool fits = std::any_of(table.rows.begin(), table.rows.end(), [](const TableRow& row) {
-            if (!is_tag(row, "HEADER")) return false;
-            const TableHeader header(row);
-            return header.has("id") && (header.has("above") || header.has("below"));
-        });
-        if (!fits) continue;
-        result.files.push_back(i);
-        result.confidence = Confidence::Certain;
+bool is_hmc_table(const DelimitedTable& table) {
+    return std::any_of(table.rows.begin(), table.rows.end(), [](const TableRow& row) {
+        if (!is_tag(row, "HEADER")) return false;
+        const TableHeader header(row);
+        return header.has("id") && (header.has("above") || header.has("below"));
+    });
+}
+
+void read_table(DelimitedTable& table, const InputFile& file, RecordBuilder& builder) {
+    HmcTable reader(builder, file.name);
+    reader.read(table);
+    if (reader.is_empty()) {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: no line tagged UNIT below a HEADER line with the column ID", file.name));
     }
-    return result;
+}
+
+Recognition recognise(std::span<const InputFile> files) {
+    return recognise_tables(files, is_hmc_table, "lines tagged HEADER, PROJECT, UNIT");
 }
 
 Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
-    RecordBuilder builder(options);
-    for (const InputFile* file : files) {
-        progress.check();
-        require_text(*file, "a table of the Harris Matrix Composer");
-        DelimitedTable table = parse_table(file->bytes, file->name);
-        builder.add_notes(std::move(table.notes));
-        HmcTable reader(builder, file->name);
-        reader.read(table);
-        if (reader.is_empty()) {
-            throw Error(ErrorCode::BadInput,
-                        fmt::format("{}: no line tagged UNIT below a HEADER line with the column ID", file->name));
-        }
-    }
-    return builder.finish();
+    return read_tables(files, options, progress, "a table of the Harris Matrix Composer", read_table);
 }
 
 } // namespace

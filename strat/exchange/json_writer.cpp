@@ -225,14 +225,8 @@ class JsonRecord {
 } // namespace
 
 Written write_json(const model::Record& record, const WriteOptions& /*options*/) {
-    Carries all;
-    all.kind = [](const model::StratigraphicUnit&) { return true; };
-    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation = all.details =
-        all.mentioned = all.phases = all.periods = all.chronology_years = all.groups = all.contact_kinds = all.later =
-            all.same_as = all.bonds = all.contemporary = all.borders = all.certainty = all.statements = all.datings =
-                all.levels = all.finds = all.samples = all.documents = true;
     Written written;
-    written.lost = losses(record, all);
+    written.lost = losses(record, carries_everything());
     const RecordNames names(record);
     const Json root = JsonRecord(names).write();
     written.files.push_back({{}, root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"});

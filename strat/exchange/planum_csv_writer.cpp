@@ -355,14 +355,8 @@ TableText table_of(CsvTable table, CsvDocument& document) {
 } // namespace
 
 Written write_planum_csv(const model::Record& record, const WriteOptions& options) {
-    Carries all;
-    all.kind = [](const model::StratigraphicUnit&) { return true; };
-    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation = all.details =
-        all.mentioned = all.phases = all.periods = all.chronology_years = all.groups = all.contact_kinds = all.later =
-            all.same_as = all.bonds = all.contemporary = all.borders = all.certainty = all.statements = all.datings =
-                all.levels = all.finds = all.samples = all.documents = true;
     Written written;
-    written.lost = losses(record, all);
+    written.lost = losses(record, carries_everything());
     const RecordNames names(record);
     CsvDocument document(names, written.lost);
     for (const CsvTable table : kAllCsvTables) {

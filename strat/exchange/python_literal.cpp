@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/text.hpp"
+#include "core/base/utf8.hpp"
 
 namespace planum::strat {
 
@@ -19,26 +20,6 @@ int hex_digit(char c) noexcept {
     if (c >= 'a' && c <= 'f') return c - 'a' + 10;
     if (c >= 'A' && c <= 'F') return c - 'A' + 10;
     return -1;
-}
-
-void append_utf8(std::string& out, std::uint32_t code) {
-    const auto put = [&out](std::uint32_t byte) { out.push_back(static_cast<char>(byte)); };
-    if (code > 0x10FFFFU || (code >= 0xD800U && code <= 0xDFFFU)) code = 0xFFFDU;
-    if (code < 0x80U) {
-        put(code);
-    } else if (code < 0x800U) {
-        put(0xC0U | (code >> 6U));
-        put(0x80U | (code & 0x3FU));
-    } else if (code < 0x10000U) {
-        put(0xE0U | (code >> 12U));
-        put(0x80U | ((code >> 6U) & 0x3FU));
-        put(0x80U | (code & 0x3FU));
-    } else {
-        put(0xF0U | (code >> 18U));
-        put(0x80U | ((code >> 12U) & 0x3FU));
-        put(0x80U | ((code >> 6U) & 0x3FU));
-        put(0x80U | (code & 0x3FU));
-    }
 }
 
 class LiteralReader {
@@ -148,7 +129,8 @@ class LiteralReader {
             if (digit < 0) return false;
             code = (code << 4U) | static_cast<std::uint32_t>(digit);
         }
-        append_utf8(out, code);
+        const bool is_character = code <= 0x10FFFFU && (code < 0xD800U || code > 0xDFFFU);
+        text::append_utf8(out, is_character ? code : 0xFFFDU);
         return true;
     }
 

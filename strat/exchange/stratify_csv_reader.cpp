@@ -11,6 +11,7 @@
 #include "core/base/text.hpp"
 #include "strat/exchange/readers.hpp"
 #include "strat/exchange/record_builder.hpp"
+#include "strat/exchange/table_reader.hpp"
 #include "strat/exchange/unit_fields.hpp"
 
 namespace planum::strat {
@@ -121,35 +122,26 @@ class StratifyReader {
     std::set<std::string> groups_;
 };
 
-Recognition recognise(std::span<const InputFile> files) {
-    Recognition out;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const DelimitedTable table = glimpse_table(files[i]);
-        if (table.rows.empty() || !is_stratify(TableHeader(table.rows.front()))) continue;
-        out.files.push_back(i);
-        out.confidence = Confidence::Certain;
-        out.why = "columns Unitname, Earlier than, Later than";
+bool has_columns(const DelimitedTable& table) {
+    return !table.rows.empty() && is_stratify(TableHeader(table.rows.front()));
+}
+
+void read_table(DelimitedTable& table, const InputFile& file, RecordBuilder& builder) {
+    if (!has_columns(table)) {
+        throw Error(ErrorCode::BadInput,
+                    file.name + ": the first line has no columns Unitname, Earlier than and Later than of Stratify");
     }
-    return out;
+    const TableHeader header(table.rows.front());
+    table.rows.erase(table.rows.begin());
+    StratifyReader(builder, file, header).read(table.rows);
+}
+
+Recognition recognise(std::span<const InputFile> files) {
+    return recognise_tables(files, has_columns, "columns Unitname, Earlier than, Later than");
 }
 
 Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
-    RecordBuilder builder(options);
-    for (const InputFile* file : files) {
-        progress.check();
-        require_text(*file, "a Stratify table");
-        DelimitedTable table = parse_table(file->bytes, file->name);
-        builder.add_notes(std::move(table.notes));
-        const TableHeader header(table.rows.empty() ? TableRow{} : table.rows.front());
-        if (!is_stratify(header)) {
-            throw Error(ErrorCode::BadInput,
-                        file->name +
-                            ": the first line has no columns Unitname, Earlier than and Later than of Stratify");
-        }
-        table.rows.erase(table.rows.begin());
-        StratifyReader(builder, *file, header).read(table.rows);
-    }
-    return builder.finish();
+    return read_tables(files, options, progress, "a Stratify table", read_table);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "strat/exchange/readers.hpp"
 #include "strat/exchange/record_builder.hpp"
+#include "strat/exchange/table_reader.hpp"
 #include "strat/exchange/unit_fields.hpp"
 
 namespace planum::strat {
@@ -71,36 +72,27 @@ void read_row(const TableRow& row, const TableHeader& header, std::string_view f
     }
 }
 
-Recognition recognise(std::span<const InputFile> files) {
-    Recognition out;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const DelimitedTable table = glimpse_table(files[i]);
-        if (table.rows.empty()) continue;
-        const TableHeader header(table.rows.front());
-        if (!header.has("context") || !header.has("above") || !header.has("below")) continue;
-        out.files.push_back(i);
-        out.confidence = Confidence::Certain;
-        out.why = "columns context, above, below";
+bool has_columns(const DelimitedTable& table) {
+    if (table.rows.empty()) return false;
+    const TableHeader header(table.rows.front());
+    return header.has("context") && header.has("above") && header.has("below");
+}
+
+void read_table(DelimitedTable& table, const InputFile& file, RecordBuilder& builder) {
+    const TableHeader header(table.rows.empty() ? TableRow{} : table.rows.front());
+    if (!header.has("context") || !(header.has("above") || header.has("below"))) {
+        throw Error(ErrorCode::BadInput,
+                    file.name + ": the first line has no columns context, above and below of a stratigraphr table");
     }
-    return out;
+    for (std::size_t i = 1; i < table.rows.size(); ++i) read_row(table.rows[i], header, file.name, builder);
+}
+
+Recognition recognise(std::span<const InputFile> files) {
+    return recognise_tables(files, has_columns, "columns context, above, below");
 }
 
 Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
-    RecordBuilder builder(options);
-    for (const InputFile* file : files) {
-        progress.check();
-        require_text(*file, "a stratigraphr table");
-        DelimitedTable table = parse_table(file->bytes, file->name);
-        builder.add_notes(std::move(table.notes));
-        const TableHeader header(table.rows.empty() ? TableRow{} : table.rows.front());
-        if (!header.has("context") || !(header.has("above") || header.has("below"))) {
-            throw Error(ErrorCode::BadInput,
-                        file->name +
-                            ": the first line has no columns context, above and below of a stratigraphr table");
-        }
-        for (std::size_t i = 1; i < table.rows.size(); ++i) read_row(table.rows[i], header, file->name, builder);
-    }
-    return builder.finish();
+    return read_tables(files, options, progress, "a stratigraphr table", read_table);
 }
 
 } // namespace

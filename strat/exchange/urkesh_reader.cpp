@@ -13,6 +13,7 @@
 #include "core/base/text.hpp"
 #include "strat/exchange/readers.hpp"
 #include "strat/exchange/record_builder.hpp"
+#include "strat/exchange/table_reader.hpp"
 
 namespace planum::strat {
 
@@ -206,31 +207,20 @@ bool has_columns(const DelimitedTable& table) {
     return header.has("book") && header.has("feature") && header.has("relations");
 }
 
-Recognition recognise(std::span<const InputFile> files) {
-    Recognition result;
-    result.why = "columns book, feature, relations";
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (!has_columns(glimpse_table(files[i]))) continue;
-        result.files.push_back(i);
-        result.confidence = Confidence::Certain;
+void read_table(DelimitedTable& table, const InputFile& file, RecordBuilder& builder) {
+    if (!has_columns(table)) {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: the columns book, feature and relations are missing", file.name));
     }
-    return result;
+    Transcription(table, file.name, builder).read();
+}
+
+Recognition recognise(std::span<const InputFile> files) {
+    return recognise_tables(files, has_columns, "columns book, feature, relations");
 }
 
 Imported<ImportedRecord> read(std::span<const InputFile* const> files, const ReadOptions& options, Progress& progress) {
-    RecordBuilder builder(options);
-    for (const InputFile* file : files) {
-        progress.check();
-        require_text(*file, "a transcription of excavation books");
-        DelimitedTable table = parse_table(file->bytes, file->name);
-        builder.add_notes(std::move(table.notes));
-        if (!has_columns(table)) {
-            throw Error(ErrorCode::BadInput,
-                        fmt::format("{}: the columns book, feature and relations are missing", file->name));
-        }
-        Transcription(table, file->name, builder).read();
-    }
-    return builder.finish();
+    return read_tables(files, options, progress, "a transcription of excavation books", read_table);
 }
 
 } // namespace

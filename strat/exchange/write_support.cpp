@@ -138,6 +138,16 @@ void add_loss(std::vector<std::string>& lost, std::size_t count, std::string_vie
     if (count > 0) lost.push_back(fmt::format("{}: {}", sentence, count));
 }
 
+Carries carries_everything() {
+    Carries all;
+    all.kind = [](const model::StratigraphicUnit&) { return true; };
+    all.all_areas = all.status = all.title = all.description = all.interpretation = all.excavation = all.details =
+        all.mentioned = all.phases = all.periods = all.chronology_years = all.groups = all.contact_kinds = all.later =
+            all.same_as = all.bonds = all.contemporary = all.borders = all.certainty = all.statements = all.datings =
+                all.levels = all.finds = all.samples = all.documents = true;
+    return all;
+}
+
 std::vector<std::string> losses(const model::Record& record, const Carries& carries) {
     std::vector<std::string> lost;
     add_unit_losses(record, carries, lost);

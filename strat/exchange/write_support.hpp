@@ -90,6 +90,9 @@ struct Carries {
     bool documents = false;
 };
 
+/// What a format of our own carries.
+[[nodiscard]] Carries carries_everything();
+
 /// The sentences for everything that the record has and the format has not.
 [[nodiscard]] std::vector<std::string> losses(const model::Record& record, const Carries& carries);
 
