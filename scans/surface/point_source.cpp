@@ -5,6 +5,12 @@
 
 namespace planum::scans {
 
+namespace {
+
+constexpr double kStoredWithin = 0.001; // a store gives points back off by up to half a step, 0.06 mm [m]
+
+} // namespace
+
 void BlockPoints::over(const PlanBox& /*box*/, const PointSink& sink) const { sink(points_); }
 
 StorePoints::StorePoints(std::shared_ptr<const PointStore> store, const geometry::Rigid3& site_from_scan)
@@ -19,6 +25,8 @@ StorePoints::StorePoints(std::shared_ptr<const PointStore> store, const geometry
         lowest_ = std::min(lowest_, z);
         highest_ = std::max(highest_, z);
     }
+    lowest_ -= kStoredWithin;
+    highest_ += kStoredWithin;
 }
 
 void StorePoints::over(const PlanBox& box, const PointSink& sink) const {
