@@ -40,6 +40,9 @@ struct Context {
     void print(const nlohmann::ordered_json& value) const;
 };
 
+/// The flags that all commands share.
+void add_common_flags(CLI::App& command, Context& context);
+
 /// Adds a command with the flags that all share, and SITE as first argument where `with_site`.
 CLI::App* add_command(CLI::App& parent, Context& context, const std::string& name, const std::string& help,
                       bool with_site = true);
@@ -58,6 +61,8 @@ void add_matrix_commands(CLI::App& root, Context& context);
 void add_report_commands(CLI::App& root, Context& context);
 void add_scan_commands(CLI::App& root, Context& context);
 void add_panorama_commands(CLI::App& root, Context& context);
+/// After the record commands: adds to `surface` what scans give.
+void add_surface_commands(CLI::App& root, Context& context);
 void add_register_commands(CLI::App& root, Context& context);
 void add_demo_commands(CLI::App& root, Context& context);
 

@@ -55,6 +55,12 @@ holds markers-import markers import site.gpkg markers.csv
 holds register register site.gpkg --method markers
 holds register-compare register site.gpkg --compare 1 2
 holds scan-list scan list site.gpkg
+holds surface surface site.gpkg 2025-06-01 --cell 0.5 -o heights.tif
+mkdir -p 2025-06-02 && printf '1 2 2\n4 5 6\n' >2025-06-02/station1.xyz && "$planum" scan add -q site.gpkg 2025-06-02 >/dev/null
+sed 's/2025-06-01/2025-06-02/' markers.csv >other.csv && "$planum" markers import -q site.gpkg other.csv >/dev/null
+"$planum" register -q site.gpkg --method markers >/dev/null
+holds surface-change surface site.gpkg 2025-06-02 --since 2025-06-01 --cell 0.5 -o change.tif
+holds surface-volumes surface site.gpkg --volumes --cell 0.5
 holds survey-import survey import site.gpkg "$here/data/station.csv"
 holds interpretation-diff interpretation diff site.gpkg record record
 for kind in unit relation phase period group dating find level sample document area surface interpretation; do

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/project/project.hpp"
+#include "core/base/progress.hpp"
+#include "scans/surface/surface_builder.hpp"
+
+namespace planum::app {
+
+/// A surface of the record with the heights that its scans give.
+struct RecordedSurface {
+    std::string name;
+    std::vector<std::string> scans; ///< that stand on the site grid
+    std::vector<std::string> raw;   ///< that do not yet
+    scans::BuiltSurface built;
+};
+
+/// The rectangle on which surfaces of an area are made: around all its outlines with half a metre to spare, else
+/// around all set-ups of the scanner there with 6 m. nullopt when there is neither.
+[[nodiscard]] std::optional<scans::PlanBox> plan_of_area(const model::Record& record, model::AreaId area);
+
+/// Surfaces of an area, earliest first.
+[[nodiscard]] std::vector<const model::Surface*> surfaces_in_time(const model::Record& record, model::AreaId area);
+
+/// The surface of that name, `DAY` or `AREA::NAME`. Throws NotFound, and Usage where several areas have one.
+[[nodiscard]] const model::Surface& known_surface(const model::Record& record, std::string_view name);
+
+/// Makes a surface of the record from all registered scans that belong to it, with cells of `cell` [m]. Throws Conflict
+/// when none of its scans stands on the site grid.
+[[nodiscard]] RecordedSurface recorded_surface(Project& project, const model::Surface& surface, double cell,
+                                               Progress& progress);
+
+} // namespace planum::app
