@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMostPoints = 0xFFFFFFF0ULL;
 constexpr std::size_t kFewestForPlane = 5;
+constexpr std::size_t kPortion = 1024; ///< points added at once: what is known of them stays in the cache
 
 bool agree(float a, float b, double share) noexcept {
     return std::abs(a - b) <= share * static_cast<double>(std::min(a, b));
@@ -26,26 +27,37 @@ PanoramaBuilder::PanoramaBuilder(const PanoramaOptions& options, Columns has) : 
 }
 
 void PanoramaBuilder::add(const PointBlock& block) {
-    Panorama& p = panorama_;
     const std::size_t size = block.size();
     if (size > kMostPoints - added_) throw Error(ErrorCode::BadInput, "a panorama holds at most 4,294 million points");
-    block_pixels_.resize(size);
-    p.projection_.indices_of(block.x, block.y, block.z, block_pixels_);
     // Grown by whole blocks and cut back, so that nothing is asked point by point.
-    const auto columns = [&](auto change) {
-        change(pixels_);
-        change(p.places_);
-        change(p.ranges_);
-        change(p.sources_);
-        if (p.has_.intensity) change(p.intensities_);
-        if (p.has_.colour) change(p.colours_);
-        if (keep_grid()) change(rows_);
-        if (keep_grid()) change(columns_);
-    };
     std::size_t to = pixels_.size();
-    columns([&](auto& column) { column.resize(to + size); });
+    resize(to + size);
+    for (std::size_t from = 0; from < size; from += kPortion) {
+        to = add_portion(block, from, std::min(size, from + kPortion), to);
+    }
+    resize(to);
+}
+
+void PanoramaBuilder::resize(std::size_t size) {
+    Panorama& p = panorama_;
+    pixels_.resize(size);
+    p.places_.resize(size);
+    p.ranges_.resize(size);
+    p.sources_.resize(size);
+    if (p.has_.intensity) p.intensities_.resize(size);
+    if (p.has_.colour) p.colours_.resize(size);
+    if (keep_grid()) rows_.resize(size);
+    if (keep_grid()) columns_.resize(size);
+}
+
+std::size_t PanoramaBuilder::add_portion(const PointBlock& block, std::size_t from, std::size_t until, std::size_t to) {
+    Panorama& p = panorama_;
+    const std::size_t count = until - from;
+    std::array<std::uint32_t, kPortion> pixels;
+    p.projection_.indices_of({&block.x[from], count}, {&block.y[from], count}, {&block.z[from], count},
+                             {pixels.data(), count});
     const bool grid = keep_grid();
-    for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t i = from; i < until; ++i) {
         if (block.validity[i] != Validity::Valid) continue;
         const auto source = static_cast<std::uint32_t>(added_++);
         const double x = block.x[i];
@@ -53,8 +65,8 @@ void PanoramaBuilder::add(const PointBlock& block) {
         const double z = block.z[i];
         const auto range = static_cast<float>(std::sqrt(x * x + y * y + z * z));
         // The scanner's own place has no direction.
-        if (block_pixels_[i] == Projection::kOutside || !(range > 0.0F)) continue;
-        pixels_[to] = block_pixels_[i];
+        if (pixels[i - from] == Projection::kOutside || !(range > 0.0F)) continue;
+        pixels_[to] = pixels[i - from];
         p.places_[to] = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
         p.ranges_[to] = range;
         p.sources_[to] = source;
@@ -64,7 +76,7 @@ void PanoramaBuilder::add(const PointBlock& block) {
         if (grid) columns_[to] = block.column[i];
         ++to;
     }
-    columns([&](auto& column) { column.resize(to); });
+    return to;
 }
 
 bool PanoramaBuilder::keep_grid() const noexcept {
@@ -75,17 +87,12 @@ Panorama PanoramaBuilder::finish(Progress& progress) {
     progress.check();
     Panorama& p = panorama_;
     const std::size_t pixels = static_cast<std::size_t>(p.width()) * static_cast<std::size_t>(p.height());
-    std::vector<std::uint32_t> points(pixels_.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
+    std::vector<ClosedPixel> closed;
     if (p.options_.gaps.most_pixels > 0) {
-        const PicturePoints known{pixels_, p.places_, p.ranges_, rows_, columns_};
-        for (const ClosedPixel& closed : close_gaps(p.projection_, known, p.options_.gaps)) {
-            pixels_.push_back(closed.pixel);
-            points.push_back(closed.point);
-        }
+        closed = close_gaps(p.projection_, {pixels_, p.places_, p.ranges_, rows_, columns_}, p.options_.gaps);
     }
     progress.check();
-    p.lists_ = PixelLists(pixels, pixels_, points, p.ranges_);
+    p.lists_ = PixelLists(pixels, pixels_, closed, p.ranges_);
     pixels_ = {};
     return std::move(panorama_);
 }

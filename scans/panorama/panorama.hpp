@@ -44,9 +44,10 @@ class PixelLists {
   public:
     PixelLists() = default;
 
-    /// Sorts (pixel, point) pairs into lists. `ranges` decides the order within a list.
-    PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_of_entry,
-               std::span<const std::uint32_t> point_of_entry, std::span<const float> ranges);
+    /// Sorts points into the lists of their pixels, and into those of the closed ones that show them too. `ranges` [m]
+    /// of the points decides the order within a list.
+    PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_of_point, std::span<const ClosedPixel> closed,
+               std::span<const float> ranges);
 
     [[nodiscard]] std::span<const std::uint32_t> at(std::size_t pixel) const noexcept;
     [[nodiscard]] std::uint64_t bytes() const noexcept;
@@ -60,6 +61,7 @@ class PixelLists {
     std::vector<std::uint32_t> entries_;
 
     [[nodiscard]] std::uint32_t count_of(std::size_t pixel) const noexcept;
+    void sort(std::span<const std::uint32_t> ends, std::span<const float> ranges);
 };
 
 /// A scan unrolled around its scanner.
@@ -128,12 +130,14 @@ class PanoramaBuilder {
 
   private:
     [[nodiscard]] bool keep_grid() const noexcept;
+    void resize(std::size_t size);
+    /// Points `from` to `until` of the block, into the columns from place `to`; says where the next ones go.
+    std::size_t add_portion(const PointBlock& block, std::size_t from, std::size_t until, std::size_t to);
 
     Panorama panorama_;
     std::vector<std::uint32_t> pixels_; ///< of each point
     std::vector<std::uint32_t> rows_;   ///< of the scanner's grid, where gaps are closed along it
     std::vector<std::uint32_t> columns_;
-    std::vector<std::uint32_t> block_pixels_; ///< of the block that is being added
     std::uint64_t added_ = 0;
 };
 

@@ -183,8 +183,9 @@ Projection::Pixel Projection::locate(double x, double y, double z) const noexcep
     if constexpr (!with_views(K)) {
         return {right * scale_x_, (plane_top_ - height_of<K>(z, std::sqrt(x * x + y * y))) * scale_y_};
     } else {
-        const int view = static_cast<int>(right / view_angle_);
-        if (view >= views_) return {};
+        const double share = right / view_angle_;
+        if (!(share >= 0.0 && share < views_)) return {}; // beyond the left border, or no direction at all
+        const int view = static_cast<int>(share);
         const Plane& middle = middles_[static_cast<std::size_t>(view)];
         const Plane p = forward<K>(middle.x * x + middle.y * y, middle.x * y - middle.y * x, z);
         const double strip = static_cast<double>(options_.width) / views_;
@@ -193,24 +194,45 @@ Projection::Pixel Projection::locate(double x, double y, double z) const noexcep
     }
 }
 
+/// Directions, then the pixels they fall on (u over x, v over y).
+struct Projection::Portion {
+    std::array<double, kPortion> x{};
+    std::array<double, kPortion> y{};
+    std::array<double, kPortion> z{};
+};
+
+template<ProjectionKind K>
+void Projection::locate_portion(Portion& portion) const noexcept {
+    for (std::size_t i = 0; i < kPortion; ++i) {
+        const Pixel pixel = locate<K>(portion.x[i], portion.y[i], portion.z[i]);
+        portion.x[i] = pixel.u;
+        portion.y[i] = pixel.v;
+    }
+}
+
+std::uint32_t Projection::index_at(const Pixel& pixel) const noexcept {
+    const bool inside = holds(pixel);
+    const int column = std::min(static_cast<int>(inside ? pixel.u : 0.0), options_.width - 1);
+    const int row = std::min(static_cast<int>(inside ? pixel.v : 0.0), options_.height - 1);
+    return inside ? static_cast<std::uint32_t>(row * options_.width + column) : kOutside;
+}
+
 bool Projection::holds(const Pixel& pixel) const noexcept {
     return pixel.u >= 0.0 && pixel.u <= options_.width && pixel.v >= 0.0 && pixel.v <= options_.height;
 }
 
+// Where the points fall, in portions of one size and without branches: compilers do several points at once then.
 void Projection::indices_of(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                             std::span<std::uint32_t> out) const noexcept {
     for_kind(options_.kind, [&](auto kind) {
-        const int last_column = options_.width - 1;
-        const int last_row = options_.height - 1;
-        for (std::size_t i = 0; i < out.size(); ++i) {
-            const Pixel pixel = locate<kind()>(x[i], y[i], z[i]);
-            if (!holds(pixel)) {
-                out[i] = kOutside;
-                continue;
-            }
-            const int column = std::min(static_cast<int>(pixel.u), last_column);
-            const int row = std::min(static_cast<int>(pixel.v), last_row);
-            out[i] = static_cast<std::uint32_t>(row * options_.width + column);
+        Portion in;
+        for (std::size_t from = 0; from < out.size(); from += kPortion) {
+            const std::size_t count = std::min(kPortion, out.size() - from);
+            std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(from), count, in.x.begin());
+            std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(from), count, in.y.begin());
+            std::copy_n(z.begin() + static_cast<std::ptrdiff_t>(from), count, in.z.begin());
+            locate_portion<kind()>(in);
+            for (std::size_t i = 0; i < count; ++i) out[from + i] = index_at({in.x[i], in.y[i]});
         }
     });
 }
@@ -227,8 +249,7 @@ std::optional<Eigen::Vector2d> Projection::pixel_of(const Eigen::Vector3d& direc
 }
 
 std::int64_t Projection::index_of(double x, double y, double z) const noexcept {
-    std::uint32_t index = kOutside;
-    indices_of({&x, 1}, {&y, 1}, {&z, 1}, {&index, 1});
+    const std::uint32_t index = for_kind(options_.kind, [&](auto kind) { return index_at(locate<kind()>(x, y, z)); });
     return index == kOutside ? -1 : std::int64_t{index};
 }
 

@@ -91,7 +91,12 @@ class Projection {
 
     template<ProjectionKind K>
     [[nodiscard]] Pixel locate(double x, double y, double z) const noexcept;
+    static constexpr std::size_t kPortion = 256; ///< points located at once
+    struct Portion;
+    template<ProjectionKind K>
+    void locate_portion(Portion& portion) const noexcept;
     [[nodiscard]] bool holds(const Pixel& pixel) const noexcept;
+    [[nodiscard]] std::uint32_t index_at(const Pixel& pixel) const noexcept; ///< or kOutside
     [[nodiscard]] double elevation_of(double height) const noexcept;
     /// Where a direction stands in the plane of its view: a towards the middle of the view, b to the left, c upwards.
     template<ProjectionKind K>

@@ -12,7 +12,8 @@ namespace planum::scans {
 [[nodiscard]] inline double quick_atan2(double y, double x) noexcept {
     const double across = std::abs(x);
     const double up = std::abs(y);
-    const double t = std::min(across, up) / (std::max(across, up) + 1e-300);
+    // In this order of the arguments what is no number stays none.
+    const double t = std::min(up, across) / (std::max(across, up) + 1e-300);
     const double z = t * t;
     // atan(√z) / √z for z in 0…1, through its values at the 16 Chebyshev points.
     double p = -0.00010950133737292665;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <random>
 
 #include "core/base/error.hpp"
@@ -114,6 +116,39 @@ TEST_CASE("A projection that cannot show its extent is refused") {
     CHECK_THROWS_AS(Projection(options), Error);
     CHECK(projection_from_name("pannini") == ProjectionKind::Pannini);
     CHECK_FALSE(projection_from_name("flat"));
+}
+
+TEST_CASE("Many directions at once fall where each falls alone, and what is no direction falls nowhere") {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> part(0.0, 3.0);
+    std::vector<double> x(1000); // no multiple of what is done at once
+    std::vector<double> y(x.size());
+    std::vector<double> z(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] = part(random);
+        y[i] = part(random);
+        z[i] = part(random);
+    }
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<std::array<double, 3>> none = {
+        {kNone, 1.0, 1.0}, {1.0, kNone, 1.0}, {1.0, 1.0, kNone}, {kInfinity, kInfinity, 1.0}, {kNone, kNone, kNone}};
+    for (std::size_t i = 0; i < none.size(); ++i) {
+        x[300 + i] = none[i][0];
+        y[300 + i] = none[i][1];
+        z[300 + i] = none[i][2];
+    }
+    for (const ProjectionKind kind : kAll) {
+        INFO(projection_name(kind));
+        const Projection projection(small(kind));
+        std::vector<std::uint32_t> all(x.size());
+        projection.indices_of(x, y, z, all);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const std::int64_t alone = projection.index_of(x[i], y[i], z[i]);
+            REQUIRE(alone == (all[i] == Projection::kOutside ? -1 : std::int64_t{all[i]}));
+        }
+        for (std::size_t i = 0; i < none.size(); ++i) CHECK(all[300 + i] == Projection::kOutside);
+    }
 }
 
 TEST_CASE("Each point is in the list of its pixel and in no other, in every projection") {
