@@ -45,11 +45,12 @@ class Placer {
     // shortens the sum of horizontal ways, so this ends.
     void settle(std::vector<double>& x) const {
         const std::vector<std::vector<std::uint32_t>> blocks = straight_runs(x);
+        std::vector<Pull> pulls; // kept between calls to save allocations
         constexpr int kRounds = 12;
         for (int round = 0; round < kRounds; ++round) {
             bool moved = false;
             for (std::size_t i = 0; i < blocks.size(); ++i) {
-                moved = settle_block(blocks[round % 2 == 0 ? i : blocks.size() - 1 - i], x) || moved;
+                moved = settle_block(blocks[round % 2 == 0 ? i : blocks.size() - 1 - i], x, pulls) || moved;
             }
             if (!moved) return;
         }
@@ -254,8 +255,8 @@ class Placer {
         add(block.back(), down_, up_);
     }
 
-    bool settle_block(const std::vector<std::uint32_t>& block, std::vector<double>& x) const {
-        std::vector<Pull> pulls;
+    bool settle_block(const std::vector<std::uint32_t>& block, std::vector<double>& x, std::vector<Pull>& pulls) const {
+        pulls.clear();
         add_pulls(block, x, pulls);
         if (pulls.empty()) return false;
         std::sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) { return a.x < b.x; });

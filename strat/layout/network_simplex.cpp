@@ -75,8 +75,8 @@ class Simplex {
     // Grows each tree from a root by the arc of least slack that leaves it, moving the whole tree so that the arc
     // becomes tight. The move is kept apart as one number, so that slacks of waiting arcs need no update.
     void tight_forest() {
-        in_tree_.assign(arcs_.size(), false);
-        joined_.assign(n_, false);
+        in_tree_.assign(arcs_.size(), 0);
+        joined_.assign(n_, 0);
         for (std::uint32_t root = 0; root < n_; ++root) {
             if (!joined_[root]) grow_tree(root);
         }
@@ -97,7 +97,7 @@ class Simplex {
         WaitingArcs arriving; // into the tree: slack = key + moved
         std::int32_t moved = 0;
         const auto join = [&](std::uint32_t v) {
-            joined_[v] = true;
+            joined_[v] = 1;
             rank_[v] -= moved;
             tree.push_back(v);
             for (const std::uint32_t a : out_.row(v)) {
@@ -120,7 +120,7 @@ class Simplex {
             } else {
                 moved = static_cast<std::int32_t>(-arriving.top().key);
             }
-            in_tree_[a] = true;
+            in_tree_[a] = 1;
             join(out ? arcs_[a].to : arcs_[a].from);
         }
         for (const std::uint32_t v : tree) rank_[v] += moved;
@@ -201,18 +201,23 @@ class Simplex {
         return sum;
     }
 
-    // Cyclic search, as the original advises: successive pivots find different parts of the graph.
+    // Cyclic search, as the original advises: successive pivots find different parts of the graph. Cut values
+    // outside the forest are 0.
     [[nodiscard]] std::uint32_t leaving_arc() {
         std::uint32_t best = kNone;
         int found = 0;
         constexpr int kEnough = 30;
-        for (std::size_t step = 0; step < arcs_.size(); ++step) {
-            const auto a = static_cast<std::uint32_t>(search_);
-            search_ = search_ + 1 == arcs_.size() ? 0 : search_ + 1;
-            if (!in_tree_[a] || cut_[a] >= 0) continue;
-            if (best == kNone || cut_[a] < cut_[best]) best = a;
-            if (++found >= kEnough) break;
-        }
+        const auto search = [&](std::size_t first, std::size_t last) {
+            for (std::size_t a = first; a < last; ++a) {
+                if (cut_[a] >= 0) continue;
+                search_ = a + 1;
+                if (best == kNone || cut_[a] < cut_[best]) best = static_cast<std::uint32_t>(a);
+                if (++found >= kEnough) return;
+            }
+        };
+        const std::size_t from = search_;
+        search(from, arcs_.size());
+        if (found < kEnough) search(0, from);
         return best;
     }
 
@@ -257,8 +262,8 @@ class Simplex {
         const std::int32_t gap = slack(entering);
         for (const std::uint32_t v : part_) rank_[v] += leaves_part ? -gap : gap;
         const std::uint32_t common = update_cuts(leaving, entering);
-        in_tree_[leaving] = false;
-        in_tree_[entering] = true;
+        in_tree_[leaving] = 0;
+        in_tree_[entering] = 1;
         std::erase(tree_arcs_[arcs_[leaving].from], leaving);
         std::erase(tree_arcs_[arcs_[leaving].to], leaving);
         tree_arcs_[arcs_[entering].from].push_back(entering);
@@ -338,8 +343,8 @@ class Simplex {
     Adjacency out_;
     Adjacency in_;
     std::vector<std::int32_t> rank_;
-    std::vector<bool> in_tree_;
-    std::vector<bool> joined_;
+    std::vector<char> in_tree_;
+    std::vector<char> joined_;
     std::vector<std::vector<std::uint32_t>> tree_arcs_; // by node
     std::vector<std::uint32_t> parents_first_;
     std::vector<std::uint32_t> parent_; // arc to the parent

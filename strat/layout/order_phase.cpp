@@ -15,15 +15,20 @@ namespace {
 
 using Layers = std::vector<std::vector<std::uint32_t>>;
 
-// Pairs (a, b) of sorted positions with a > b: crossings of the edges of two nodes, the first standing left.
-std::int64_t inversions(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right) {
-    std::int64_t count = 0;
-    std::size_t smaller = 0;
+// Crossings of the edges of two nodes, whose ends are given in order, with `left` standing left, minus those with
+// `right` there: for each end of `left` the ends of `right` below it, minus those above it. Most nodes have one.
+std::int64_t inversions_saved(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right) {
+    if (left.size() == 1 && right.size() == 1) return (left[0] > right[0] ? 1 : 0) - (left[0] < right[0] ? 1 : 0);
+    const std::uint32_t* const end = right.data() + right.size();
+    const std::uint32_t* less = right.data();
+    const std::uint32_t* more = less;
+    std::ptrdiff_t sum = 0;
     for (const std::uint32_t a : left) {
-        while (smaller < right.size() && right[smaller] < a) ++smaller;
-        count += static_cast<std::int64_t>(smaller);
+        while (less != end && *less < a) ++less;
+        while (more != end && *more <= a) ++more;
+        sum += (less - right.data()) - (end - more);
     }
-    return count;
+    return sum;
 }
 
 using EndIterator = std::vector<std::uint32_t>::iterator;
@@ -69,6 +74,7 @@ class Orderer {
     [[nodiscard]] std::int64_t crossings() {
         std::int64_t sum = 0;
         for (std::size_t l = 0; l + 1 < g_.layers.size(); ++l) sum += crossings_below(l);
+        crossed_everywhere_ = sum > std::ssize(g_.edges);
         return sum;
     }
 
@@ -165,7 +171,9 @@ class Orderer {
         }
         std::stable_sort(beginnings.begin(), beginnings.end(),
                          [](const Beginning& a, const Beginning& b) { return a.crossings < b.crossings; });
-        const std::size_t worked_out = std::min<std::size_t>(best_of_beginnings > edges ? 2 : 3, beginnings.size());
+        constexpr std::int64_t kSmall = 600; // edges: there a third beginning costs nothing that anybody waits for
+        const std::size_t worth = best_of_beginnings > edges ? 1 : edges > kSmall ? 2 : 3;
+        const std::size_t worked_out = std::min(worth, beginnings.size());
         for (std::size_t i = 0; i < worked_out && best_crossings_ > 0; ++i) {
             g_.layers = beginnings[i].layers;
             number_all();
@@ -231,9 +239,10 @@ class Orderer {
     // Neighbours found one after another stand side by side.
     void walk(Start start, bool shuffled) {
         std::vector<bool> seen(g_.nodes, false);
-        Layers fresh(g_.layers.size());
+        for (std::vector<std::uint32_t>& layer : g_.layers) layer.clear();
         std::vector<std::uint32_t> open;
         std::vector<std::uint32_t> roots;
+        roots.reserve(g_.nodes);
         for (const std::vector<std::uint32_t>& layer : given_) roots.insert(roots.end(), layer.begin(), layer.end());
         if (shuffled) std::swap(roots.front(), roots[draw(roots.size())]);
         for (const std::uint32_t root : roots) {
@@ -249,7 +258,7 @@ class Orderer {
                 }
                 if (seen[v]) continue;
                 seen[v] = true;
-                fresh[layer_[v]].push_back(v);
+                g_.layers[layer_[v]].push_back(v);
                 const std::size_t first = open.size();
                 for (const Adjacency* side : {&up_, &down_}) {
                     const auto row = side->row(v);
@@ -261,7 +270,6 @@ class Orderer {
                     std::swap(open[i - 1], open[first + draw(i - first)]);
             }
         }
-        g_.layers = std::move(fresh);
         number_all();
     }
 
@@ -332,14 +340,19 @@ class Orderer {
     void collect_ends(std::size_t l, Ends& ends) const {
         const std::vector<std::uint32_t>& layer = g_.layers[l];
         const auto fill = [&](Adjacency& out, const Adjacency& in) {
-            out.begin.assign(1, 0);
-            out.values.clear();
-            for (const std::uint32_t v : layer) {
-                const auto first = static_cast<std::ptrdiff_t>(out.values.size());
-                for (const std::uint32_t w : in.row(v)) out.values.push_back(position_[w]);
-                sort_few(out.values.begin() + first, out.values.end());
-                out.begin.push_back(static_cast<std::uint32_t>(out.values.size()));
+            std::size_t count = 0;
+            for (const std::uint32_t v : layer) count += in.row(v).size();
+            out.begin.resize(layer.size() + 1);
+            out.values.resize(count);
+            const auto values = out.values.begin();
+            std::ptrdiff_t at = 0;
+            for (std::size_t i = 0; i < layer.size(); ++i) {
+                const std::ptrdiff_t first = at;
+                out.begin[i] = static_cast<std::uint32_t>(at);
+                for (const std::uint32_t w : in.row(layer[i])) values[at++] = position_[w];
+                if (at - first > 1) sort_few(values + first, values + at);
             }
+            out.begin[layer.size()] = static_cast<std::uint32_t>(at);
         };
         fill(ends.up, up_);
         fill(ends.down, down_);
@@ -347,9 +360,39 @@ class Orderer {
 
     // Crossings of two nodes (by their places when the ends were collected) with a left of b, minus those
     // with b left of a.
-    [[nodiscard]] std::int64_t gain(const Ends& ends, std::size_t a, std::size_t b) const {
-        return inversions(ends.up.row(a), ends.up.row(b)) - inversions(ends.up.row(b), ends.up.row(a)) +
-               inversions(ends.down.row(a), ends.down.row(b)) - inversions(ends.down.row(b), ends.down.row(a));
+    [[nodiscard]] static std::int64_t gain(const Ends& ends, std::size_t a, std::size_t b) {
+        return inversions_saved(ends.up.row(a), ends.up.row(b)) + inversions_saved(ends.down.row(a), ends.down.row(b));
+    }
+
+    // Marks the nodes of a level that have an edge which is crossed; only they have something to win. Ends go into
+    // order by insertion, so that this costs no more than there are crossings. False if there are none.
+    bool mark_crossed(const Ends& ends) {
+        const std::size_t n = ends.up.rows();
+        crossed_.assign(n, crossed_everywhere_ ? 1 : 0);
+        if (crossed_everywhere_) return true;
+        bool any = false;
+        for (const Adjacency* side : {&ends.up, &ends.down}) {
+            const std::size_t most = 6 * side->values.size(); // beyond, nearly all are
+            std::size_t met = 0;
+            sorted_.clear();
+            for (std::uint32_t i = 0; i < n; ++i) {
+                for (const std::uint32_t end : side->row(i)) {
+                    sorted_.push_back({end, i});
+                    std::size_t j = sorted_.size() - 1;
+                    for (; j > 0 && sorted_[j - 1].first > end; --j) {
+                        crossed_[i] = crossed_[sorted_[j - 1].second] = 1;
+                        sorted_[j] = sorted_[j - 1];
+                        ++met;
+                    }
+                    sorted_[j] = {end, i};
+                }
+                if (met <= most) continue;
+                crossed_.assign(n, 1);
+                return true;
+            }
+            any = any || met > 0;
+        }
+        return any;
     }
 
     // `also_equal` swaps neighbours in the first round even where nothing is won, which leads out of plains.
@@ -375,6 +418,7 @@ class Orderer {
         std::vector<std::uint32_t>& layer = g_.layers[l];
         if (layer.size() < 2) return false;
         collect_ends(l, ends);
+        if (!also_equal && !mark_crossed(ends)) return false;
         std::vector<std::size_t>& row = rows_; // row of `ends` of the node at each place
         row.resize(layer.size());
         std::iota(row.begin(), row.end(), std::size_t{0});
@@ -383,6 +427,7 @@ class Orderer {
         for (int round = 0; round < kRounds; ++round) {
             bool better = false;
             for (std::size_t i = 0; i + 1 < layer.size(); ++i) {
+                if (!also_equal && (crossed_[row[i]] == 0 || crossed_[row[i + 1]] == 0)) continue;
                 const std::int64_t won = gain(ends, row[i], row[i + 1]);
                 if (won < 0 || (won == 0 && !(also_equal && round == 0))) continue;
                 std::swap(row[i], row[i + 1]);
@@ -414,10 +459,11 @@ class Orderer {
         if (n < 3) return false;
         if (!spend(static_cast<std::int64_t>(n * n) * 12)) return false;
         collect_ends(l, ends);
+        if (!mark_crossed(ends)) return false;
         rows_.resize(n);
         std::iota(rows_.begin(), rows_.end(), std::size_t{0});
         bool any = false;
-        for (std::size_t moved = 0; moved < n; ++moved) any = sift_node(moved, ends) || any;
+        for (std::size_t moved = 0; moved < n; ++moved) any = (crossed_[moved] != 0 && sift_node(moved, ends)) || any;
         if (!any) return false;
         const std::vector<std::uint32_t> before = layer;
         for (std::size_t i = 0; i < n; ++i) layer[i] = before[rows_[i]];
@@ -446,6 +492,7 @@ class Orderer {
             }
         }
         if (to == at) return false;
+        for (std::size_t i = std::min(at, to); i <= std::max(at, to); ++i) crossed_[rows_[i]] = 1; // some may be now
         rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(at));
         rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(to), moved);
         return true;
@@ -470,6 +517,9 @@ class Orderer {
     std::vector<std::uint32_t> ends_;
     std::vector<std::pair<double, std::uint32_t>> keyed_;
     std::vector<std::size_t> rows_;
+    bool crossed_everywhere_ = false; // when last counted
+    std::vector<char> crossed_;       // by row of the level's ends
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted_;
     std::vector<char> changed_;
 };
 

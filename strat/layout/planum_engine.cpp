@@ -2,7 +2,8 @@
 #include "strat/layout/planum_engine.hpp"
 
 #include <algorithm>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.hpp"
 #include "strat/layout/drawing_page.hpp"
@@ -133,10 +134,18 @@ class Assembler {
         for (std::size_t c = 0; c < channels_.size(); ++c) {
             for (std::size_t w = 0; w < channels_[c].wires.size(); ++w) {
                 const ChannelWires::ChannelWire& wire = channels_[c].wires[w];
-                for (const ChannelWires::End& e : wire.tops) ends_[{e.node, wire.net, true}] = {c, w, e.x};
-                for (const ChannelWires::End& e : wire.bottoms) ends_[{e.node, wire.net, false}] = {c, w, e.x};
+                for (const ChannelWires::End& e : wire.tops) ends_.push_back({{e.node, wire.net, true}, {c, w, e.x}});
+                for (const ChannelWires::End& e : wire.bottoms)
+                    ends_.push_back({{e.node, wire.net, false}, {c, w, e.x}});
             }
         }
+        std::sort(ends_.begin(), ends_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    }
+
+    [[nodiscard]] const EndPlace& end_at(const EndKey& key) const {
+        return std::lower_bound(ends_.begin(), ends_.end(), key,
+                                [](const auto& a, const EndKey& b) { return a.first < b; })
+            ->second;
     }
 
     // Tracks stand in the middle of the channel, or of what a band's edge leaves of it.
@@ -169,22 +178,23 @@ class Assembler {
         const DrawRect& later = drawing_.boxes[line.later].rect;
         const DrawRect& earlier = drawing_.boxes[line.earlier].rect;
         const std::size_t last = path.nodes.size() - 1;
-        points.push_back({ends_.at({path.nodes.front(), path.net, true}).x, later.bottom()});
+        points.push_back({end_at({path.nodes.front(), path.net, true}).x, later.bottom()});
         for (std::size_t k = 0; k < last; ++k) {
             // Out of a box a line always goes from below it, into one from above it, whichever way it runs.
             const bool rises = path.upwards && k > 0;
             const bool from_top = !rises;
             const bool to_top = path.upwards && k + 1 < last;
-            const EndPlace& from = ends_.at({path.nodes[k], path.net, from_top});
-            const EndPlace& to = ends_.at({path.nodes[k + 1], path.net, to_top});
+            const EndPlace& from = end_at({path.nodes[k], path.net, from_top});
+            const EndPlace& to = end_at({path.nodes[k + 1], path.net, to_top});
             cross(points, from, to, from_top, to_top);
         }
-        points.push_back({ends_.at({path.nodes.back(), path.net, false}).x, earlier.y});
+        points.push_back({end_at({path.nodes.back(), path.net, false}).x, earlier.y});
         return without_needless(points);
     }
 
     static std::vector<DrawPoint> without_needless(const std::vector<DrawPoint>& points) {
         std::vector<DrawPoint> kept;
+        kept.reserve(points.size());
         for (const DrawPoint& p : points) {
             if (!kept.empty() && kept.back() == p) continue;
             while (kept.size() >= 2) {
@@ -257,7 +267,7 @@ class Assembler {
     std::vector<double> channel_bottom_;
     std::vector<double> level_top_;
     std::vector<double> level_bottom_;
-    std::map<EndKey, EndPlace> ends_;
+    std::vector<std::pair<EndKey, EndPlace>> ends_; // sorted
 };
 
 } // namespace

@@ -20,7 +20,8 @@ using ChannelWire = ChannelWires::ChannelWire;
 // Pieces of one channel, split into wires: pieces of one net that share an end.
 class WireCollector {
   public:
-    explicit WireCollector(const LayeredMatrix& matrix) : m_(matrix) {}
+    explicit WireCollector(const LayeredMatrix& matrix)
+        : m_(matrix), leader_(matrix.nodes.size(), 0), seen_(matrix.nodes.size(), 0) {}
 
     std::vector<ChannelWires> collect() {
         std::vector<std::vector<LayeredMatrix::Piece>> by_channel(m_.levels.size() + 1);
@@ -48,28 +49,38 @@ class WireCollector {
         }
     }
 
-    static void join_net(std::span<const LayeredMatrix::Piece> pieces, ChannelWires& channel) {
-        std::map<std::uint32_t, std::uint32_t> leader; // of each node, upper or lower: levels differ, so no clash
-        const auto find = [&](std::uint32_t v) {
-            while (leader.at(v) != v) v = leader.at(v);
-            return v;
-        };
+    void join_net(std::span<const LayeredMatrix::Piece> pieces, ChannelWires& channel) {
+        for (const LayeredMatrix::Piece& p : pieces) { // levels differ, so an upper node is no lower one
+            leader_[p.upper] = p.upper;
+            leader_[p.lower] = p.lower;
+        }
         for (const LayeredMatrix::Piece& p : pieces) {
-            leader.emplace(p.upper, p.upper);
-            leader.emplace(p.lower, p.lower);
             const std::uint32_t a = find(p.upper);
             const std::uint32_t b = find(p.lower);
-            leader[std::max(a, b)] = std::min(a, b);
+            leader_[std::max(a, b)] = std::min(a, b);
         }
-        std::map<std::uint32_t, std::size_t> wire_of;
-        std::map<std::uint32_t, bool> seen;
+        const std::size_t first = channel.wires.size();
+        ++mark_;
         for (const LayeredMatrix::Piece& p : pieces) {
-            const auto [at, fresh] = wire_of.emplace(find(p.upper), channel.wires.size());
-            if (fresh) channel.wires.push_back({p.net, {}, {}});
-            ChannelWire& wire = channel.wires[at->second];
-            if (seen.emplace(p.upper, true).second) wire.tops.push_back({p.upper, 0.0});
-            if (seen.emplace(p.lower, true).second) wire.bottoms.push_back({p.lower, 0.0});
+            const std::uint32_t root = find(p.upper);
+            std::size_t at = first;
+            while (at < channel.wires.size() && roots_[at - first] != root) ++at;
+            if (at == channel.wires.size()) {
+                channel.wires.push_back({p.net, {}, {}});
+                roots_.resize(at - first);
+                roots_.push_back(root);
+            }
+            ChannelWire& wire = channel.wires[at];
+            if (seen_[p.upper] != mark_) wire.tops.push_back({p.upper, 0.0});
+            if (seen_[p.lower] != mark_) wire.bottoms.push_back({p.lower, 0.0});
+            seen_[p.upper] = mark_;
+            seen_[p.lower] = mark_;
         }
+    }
+
+    [[nodiscard]] std::uint32_t find(std::uint32_t v) const {
+        while (leader_[v] != v) v = leader_[v];
+        return v;
     }
 
     // Where an upward line leaves below its later box, and where it enters its earlier one.
@@ -84,6 +95,11 @@ class WireCollector {
 
     const LayeredMatrix& m_;
     std::vector<ChannelWires> channels_;
+    // Of the net being joined.
+    std::vector<std::uint32_t> leader_; // by node
+    std::vector<std::uint32_t> seen_;   // by node: the last mark it got
+    std::uint32_t mark_ = 0;
+    std::vector<std::uint32_t> roots_; // of its wires
 };
 
 // A place where lines leave or enter one side of a box.
