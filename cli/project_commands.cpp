@@ -117,7 +117,7 @@ void say_cleaned(const Context& context, const app::Cleaned& cleaned) {
 
 // A damaged project is not cleaned: what looks useless may be what a rescue needs.
 void run_verify(Context& context, const VerifyOptions& options) {
-    const std::string day = app::day_from("forget-undo-before", options.forget_undo_before);
+    const std::string day = app::date_from("forget-undo-before", options.forget_undo_before);
     app::Project project = context.open(options.clean ? OpenMode::ReadWrite : OpenMode::ReadOnly);
     std::vector<std::pair<std::string, std::string>> problems;
     for (const auto& problem : project.file().verify(*context.progress))

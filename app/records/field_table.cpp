@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/records/field_table.hpp"
 
-#include <array>
+#include "app/scans/days_surface.hpp"
 
 namespace planum::app {
 
@@ -28,19 +28,9 @@ std::optional<std::int64_t> integer_from(const std::string& field, const std::st
 std::string date_from(const std::string& field, const std::string& text) {
     const std::string date{text::trim(text)};
     if (date.empty()) return date;
-    const auto part = [&](std::size_t at, std::size_t length) {
-        return text::parse_integer(std::string_view(date).substr(at, length)).value_or(-1);
-    };
-    constexpr std::array<int, 12> kDays = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-    const bool shaped = date.size() == 10 && date[4] == '-' && date[7] == '-' && part(0, 4) >= 0;
-    const auto month = shaped ? part(5, 2) : -1;
-    const bool good =
-        month >= 1 && month <= 12 && part(8, 2) >= 1 && part(8, 2) <= kDays.at(static_cast<std::size_t>(month - 1));
-    if (!good) throw Error(ErrorCode::BadInput, fmt::format("{}: {} is no day; write YYYY-MM-DD", field, text));
+    if (!is_day(date)) throw Error(ErrorCode::BadInput, fmt::format("{}: {} is no day; write YYYY-MM-DD", field, text));
     return date;
 }
-
-std::string day_from(const std::string& field, const std::string& text) { return date_from(field, text); }
 
 std::span<const std::unique_ptr<RecordKind>> record_kinds() {
     static const std::vector<std::unique_ptr<RecordKind>> kinds = [] {

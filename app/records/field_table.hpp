@@ -30,8 +30,6 @@ struct Field {
 /// Throw BadInput naming the field. An empty text unsets.
 [[nodiscard]] std::optional<double> number_from(const std::string& field, const std::string& text);
 [[nodiscard]] std::optional<std::int64_t> integer_from(const std::string& field, const std::string& text);
-/// `YYYY-MM-DD` or empty; throws BadInput otherwise.
-[[nodiscard]] std::string date_from(const std::string& field, const std::string& text);
 
 template<class T>
 Field<T> text_field(std::string name, std::string help, std::string T::*member) {

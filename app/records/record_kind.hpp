@@ -40,10 +40,16 @@ class RecordKind {
     virtual std::string add(Project& project, const std::string& name, const FieldValues& values) const = 0;
     virtual void set(Project& project, const std::string& name, const FieldValues& values) const = 0;
     virtual void remove(Project& project, const std::string& name) const = 0;
+
+    /// What somebody should know about values that are taken for `name` (there already): that they are mended, and how.
+    [[nodiscard]] virtual std::vector<std::string> remarks(Project& /*project*/, const std::string& /*name*/,
+                                                           const FieldValues& /*values*/) const {
+        return {};
+    }
 };
 
-/// An ISO day, or empty for empty text. Throws BadInput that names the field.
-[[nodiscard]] std::string day_from(const std::string& field, const std::string& text);
+/// A day of the calendar as `2025-06-01`, or empty for empty text. Throws BadInput that names the field.
+[[nodiscard]] std::string date_from(const std::string& field, const std::string& text);
 
 /// All kinds, in the order of the help.
 [[nodiscard]] std::span<const std::unique_ptr<RecordKind>> record_kinds();

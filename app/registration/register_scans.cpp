@@ -41,9 +41,7 @@ ChainInput chain_input(Project& project, const RegisterOptions& options) {
     std::vector<model::Scan> scans = record.scans;
     std::sort(scans.begin(), scans.end(),
               [](const model::Scan& a, const model::Scan& b) { return text::natural_order(a.name, b.name) < 0; });
-    if (!options.day.empty() && !is_day(options.day)) {
-        throw Error(ErrorCode::Usage, fmt::format("“{}” is no day; write it as 2025-06-01", options.day));
-    }
+    if (!options.day.empty()) require_day("--day", options.day);
     const MarkerTable markers = project_markers(record);
     ChainInput input;
     input.project = project.path();

@@ -245,14 +245,6 @@ void make_stores(const Project& project, Plan& plan, MadeStores& made, Progress&
     }
 }
 
-model::AreaId area_for(const model::Record& record, const std::string& name) {
-    if (name.empty()) return record.areas.size() == 1 ? record.areas.front().id : model::AreaId{};
-    for (const model::Area& area : record.areas) {
-        if (area.name == name) return area.id;
-    }
-    throw Error(ErrorCode::NotFound, fmt::format("no area {}; planum area list shows them", name));
-}
-
 std::string label_of(const std::vector<AddedScan>& added) {
     if (added.size() == 1) return "Add scan " + added.front().scan.name;
     return fmt::format("Add {} scans", added.size());
@@ -262,10 +254,12 @@ std::string label_of(const std::vector<AddedScan>& added) {
 
 AddScansReport add_scans(Project& project, const std::vector<fs::path>& inputs, const AddScansOptions& options,
                          Progress& progress) {
-    if (!options.day.empty() && !is_day(options.day)) {
-        throw Error(ErrorCode::Usage, fmt::format("--day {}: not a day of the calendar as 2025-06-01", options.day));
+    if (!options.day.empty()) require_day("--day", options.day);
+    const auto meant = area_meant(project.record(), options.area);
+    if (!meant) {
+        throw Error(ErrorCode::NotFound, fmt::format("no area {}; planum area list shows them", options.area));
     }
-    const model::AreaId area = area_for(project.record(), options.area);
+    const model::AreaId area = *meant;
     const model::Surface* named = nullptr;
     if (!options.surface.empty()) {
         named = surface_named(project.record(), options.surface, area);

@@ -71,6 +71,19 @@ bool is_day(std::string_view text) noexcept {
         .ok();
 }
 
+void require_day(std::string_view option, std::string_view text) {
+    if (is_day(text)) return;
+    throw Error(ErrorCode::Usage, fmt::format("{} {}: not a day of the calendar as 2025-06-01", option, text));
+}
+
+std::optional<model::AreaId> area_meant(const model::Record& record, std::string_view name) {
+    if (name.empty()) return record.areas.size() == 1 ? record.areas.front().id : model::AreaId{};
+    for (const model::Area& area : record.areas) {
+        if (area.name == name) return area.id;
+    }
+    return std::nullopt;
+}
+
 std::string surface_name(const model::Record& record, const model::Surface& surface) {
     const std::string name = plain_name(record, surface);
     const bool shared = std::any_of(record.surfaces.begin(), record.surfaces.end(), [&](const model::Surface& other) {

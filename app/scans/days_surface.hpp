@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,13 @@ namespace planum::app {
 
 /// Whether the text is a day of the calendar as `2025-06-01`.
 [[nodiscard]] bool is_day(std::string_view text) noexcept;
+
+/// Throws Usage, naming the option, when the text is no day of the calendar.
+void require_day(std::string_view option, std::string_view text);
+
+/// The area of that name; for an empty name the only one there is, nil where there is none or several. nullopt: no area
+/// has that name.
+[[nodiscard]] std::optional<model::AreaId> area_meant(const model::Record& record, std::string_view name);
 
 /// What a surface is called in lists and region names: its name, else its first day, and `DAY.2` for the
 /// second surface of a day without a name of its own; `AREA::NAME` where several areas have one of that name.
