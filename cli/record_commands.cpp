@@ -113,14 +113,20 @@ void add_kind(CLI::App& root, Context& context, const RecordKind& kind) {
     add->callback([&context, &kind, added, add] {
         app::Project project = context.open(OpenMode::ReadWrite);
         warn_of_cycle(context, project, kind, added->full_name());
-        const std::string name = kind.add(project, added->full_name(), added->values(*add));
+        const app::FieldValues values = added->values(*add);
+        const std::string name = kind.add(project, added->full_name(), values);
         *context.out << name << '\n';
+        for (const std::string& remark : kind.remarks(project, name, values)) context.say(remark);
     });
     auto changed = std::make_shared<Given>();
     CLI::App* set = add_verb(*group, context, kind, *changed, "set", "change fields of one", true);
     set->callback([&context, &kind, changed, set] {
         app::Project project = context.open(OpenMode::ReadWrite);
-        kind.set(project, changed->full_name(), changed->values(*set));
+        const app::FieldValues values = changed->values(*set);
+        // Before: a region is called by its unit, which may be another one afterwards.
+        const auto remarks = kind.remarks(project, changed->full_name(), values);
+        kind.set(project, changed->full_name(), values);
+        for (const std::string& remark : remarks) context.say(remark);
     });
     if (word != "region") { // which lists areas and heights, see region_commands.cpp
         add_command(*group, context, "list", "all of them")->callback([&context, &kind] { run_list(context, kind); });

@@ -10,7 +10,6 @@
 #include "app/regions/outline_properties.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "strat/exchange/json_support.hpp"
 
 namespace planum::app {
 
@@ -93,8 +92,9 @@ void refuse_degrees(const Json& json) {
 
 } // namespace
 
-OutlineFile read_geojson_outlines(std::string_view bytes) {
-    const Json json = strat::parse_json(bytes);
+OutlineFile read_geojson_outlines(std::string_view bytes) { return geojson_outlines_from(strat::parse_json(bytes)); }
+
+OutlineFile geojson_outlines_from(const Json& json) {
     refuse_degrees(json);
     const std::string type = strat::json_text(json, "type");
     Reader reader;

@@ -190,13 +190,15 @@ void take_picture(const PlacedScan& placed, const PixelPicture& picture, Outline
 
 } // namespace
 
-bool is_pixel_outlines(std::string_view bytes) {
-    const Json json = strat::parse_json(bytes);
+bool is_pixel_outlines(const Json& json) {
     return strat::json_member(json, "pictures") != nullptr || strat::json_member(json, "polygons") != nullptr;
 }
 
 std::vector<PixelPicture> read_pixel_outlines(std::string_view bytes) {
-    const Json json = strat::parse_json(bytes);
+    return pixel_outlines_from(strat::parse_json(bytes));
+}
+
+std::vector<PixelPicture> pixel_outlines_from(const Json& json) {
     const Json* pictures = strat::json_member(json, "pictures");
     if (pictures == nullptr) return {picture_from(json)};
     if (!pictures->is_array()) refuse("pictures: it is no list");

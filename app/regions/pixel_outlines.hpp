@@ -10,6 +10,7 @@
 #include "core/base/progress.hpp"
 #include "core/geometry/rigid.hpp"
 #include "scans/panorama/panorama.hpp"
+#include "strat/exchange/json_support.hpp"
 
 namespace planum::app {
 
@@ -21,11 +22,12 @@ struct PixelPicture {
     std::vector<OutlineNote> notes; ///< of outlines that could not be read
 };
 
-/// Whether a JSON text is one of outlines in pixels rather than GeoJSON.
-[[nodiscard]] bool is_pixel_outlines(std::string_view bytes);
+/// Whether a file holds outlines in pixels rather than GeoJSON.
+[[nodiscard]] bool is_pixel_outlines(const strat::Json& json);
 
 /// Reads pixel polygons (docs/formats/outlines.md). Throws BadInput.
 [[nodiscard]] std::vector<PixelPicture> read_pixel_outlines(std::string_view bytes);
+[[nodiscard]] std::vector<PixelPicture> pixel_outlines_from(const strat::Json& json);
 
 /// A polygon of a picture on the ground: corners and the lines between them, which are straight in the picture only,
 /// are followed on the surface that the pixels show, and simplified to 5 mm. A corner whose pixel shows nothing takes

@@ -56,16 +56,14 @@ struct RegionImportReport {
 };
 
 /// Takes outlines into the project as one undo step: numbers become units, days become surfaces. An outline that
-/// the project has already (same surface and label, points within 0.5 mm) is left alone; one that lies on another
-/// of the same surface and label by more than half is the same drawn anew: kept as it was unless `update`.
-/// Throws BadInput when not one of the outlines can be used.
+/// the project has already (same place and unit, or same number as drawn; points within 0.5 mm) is left alone; one that
+/// lies on another such by more than half is the same drawn anew: kept as it was unless `update`. A number means the
+/// unit of the outline's area, else of its surface's; a refused outline leaves nothing behind.
+/// Throws BadInput when not one of the outlines can be used, Usage when `day` is no day.
 RegionImportReport import_outlines(Project& project, const OutlineFile& file, const RegionImportOptions& options);
 
 /// Reads files of outlines (GeoJSON, or pixel polygons of panoramas) and takes them in together, as one step.
 RegionImportReport import_outline_files(Project& project, const std::vector<std::filesystem::path>& files,
                                         const RegionImportOptions& options, Progress& progress);
-
-/// Issued numbers that an unknown one may stand for: one slip of the hand away, else the nearest in value.
-[[nodiscard]] std::vector<std::string> proposed_numbers(const model::Record& record, const std::string& drawn);
 
 } // namespace planum::app

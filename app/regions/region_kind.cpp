@@ -18,17 +18,18 @@ using model::Region;
 constexpr const char* kShowsWords = "top, level, cut, overdug, machine, face, nothing";
 constexpr const char* kCategoryWords = "unit, spoil, slump, backfill, water, equipment, baulk, unexcavated";
 
+// In site coordinates; on a section it is made sound in its plane.
+geometry::SoundPolygon typed_outline(const Region& region, const std::string& text, Project& project) {
+    const geometry::MultiPolygon shape = parse_outline(text);
+    const model::Section* section = section_of(project.record(), region);
+    if (section == nullptr) return geometry::make_sound(shape);
+    geometry::SoundPolygon sound = geometry::make_sound(onto_plane(shape, *section));
+    sound.shape = from_plane(sound.shape, *section);
+    return sound;
+}
+
 void set_outline(Region& region, const std::string& text, Project& project) {
-    geometry::MultiPolygon shape = parse_outline(text);
-    if (region.surface.is_nil()) {
-        for (const model::Section& section : project.record().sections) {
-            if (section.id != region.section) continue;
-            shape = from_plane(geometry::make_sound(onto_plane(shape, section)).shape, section);
-        }
-    } else {
-        shape = geometry::make_sound(shape).shape;
-    }
-    region.outline = outline_of(shape);
+    region.outline = outline_of(typed_outline(region, text, project).shape);
     region.drawn_on = "typed";
 }
 
@@ -81,22 +82,36 @@ class RegionKind final : public FieldTableKind<Region> {
         return FieldTableKind::add(project, name, with);
     }
 
-    // What a region shows follows its unit, unless somebody said otherwise.
+    // What a region shows follows its unit and its category, unless somebody said otherwise.
     void set(Project& project, const std::string& name, const FieldValues& values) const override {
-        const auto given = [&](const char* field) {
-            return std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.first == field; });
-        };
         const Region& old = find(project, name);
-        const auto unit = given("unit");
-        if (unit == values.end() || given("shows") != values.end() || old.shows != usual_shows(project, old)) {
-            return FieldTableKind::set(project, name, values);
+        Region wished = old;
+        bool shows_given = false;
+        for (const auto& [field, text] : values) {
+            shows_given = shows_given || field == "shows";
+            if (field == "category") wished.category = model::region_category_from_word(text).value_or(wished.category);
+            if (field != "unit") continue;
+            wished.unit = text.empty() ? model::UnitId{} : project.record().units[project.unit_named(text)].id;
         }
-        Region named = old;
-        named.unit =
-            unit->second.empty() ? model::UnitId{} : project.record().units[project.unit_named(unit->second)].id;
+        const bool as_usual = old.shows == usual_shows(project.record(), old);
+        const bool no_unit_now = wished.category != old.category && wished.category != model::RegionCategory::Unit;
+        if (shows_given || !(as_usual || no_unit_now)) return FieldTableKind::set(project, name, values);
         FieldValues with = values;
-        with.emplace_back("shows", std::string(to_word(usual_shows(project, named))));
+        with.emplace_back("shows", std::string(to_word(usual_shows(project.record(), wished))));
         FieldTableKind::set(project, name, with);
+    }
+
+    // What was mended of a typed outline.
+    [[nodiscard]] std::vector<std::string> remarks(Project& project, const std::string& name,
+                                                   const FieldValues& values) const override {
+        std::vector<std::string> said;
+        for (const auto& [field, text] : values) {
+            if (field != "outline") continue;
+            for (const std::string& repair : typed_outline(find(project, name), text, project).repairs) {
+                said.push_back("outline mended: " + repair);
+            }
+        }
+        return said;
     }
 
   protected:
@@ -132,29 +147,21 @@ class RegionKind final : public FieldTableKind<Region> {
         } else {
             region.unit = project.record().units[project.unit_named(label)].id;
         }
-        for (const Region& other : project.record().regions) {
-            const bool alike = other.surface == region.surface && other.section == region.section &&
-                               other.unit == region.unit && other.category == region.category;
-            if (alike) region.part = std::max(region.part, other.part + 1);
-        }
+        region.part = free_part(project.record(), region);
         return region;
     }
 
-    // A region that gets a unit loses the number that no unit had.
+    // The number as drawn stays with a region that gets another unit: the same outlines, imported again, are found by
+    // it.
     void write(Project& project, const Region& value) const override {
         Region region = value;
-        if (!region.unit.is_nil()) region.unit_as_drawn.clear();
-        std::int64_t last = 0;
-        bool taken = false;
-        for (const Region& other : project.record().regions) {
-            const bool alike = other.id != region.id && other.surface == region.surface &&
-                               other.section == region.section && other.unit == region.unit &&
-                               other.category == region.category && other.unit_as_drawn == region.unit_as_drawn;
-            if (!alike) continue;
-            last = std::max(last, other.part);
-            taken = taken || other.part == region.part;
+        for (const Region& old : project.record().regions) {
+            if (old.id != region.id || old.unit == region.unit || old.unit.is_nil()) continue;
+            if (!region.unit_as_drawn.empty() || region.drawn_on == "typed") continue;
+            const model::StratigraphicUnit& unit = project.record().units[project.index().find(old.unit)];
+            region.unit_as_drawn = number_as_drawn(project.record(), old, unit.number, unit.area);
         }
-        if (taken) region.part = last + 1;
+        region.part = free_part(project.record(), region);
         project.file().update(region);
     }
 
@@ -165,17 +172,7 @@ class RegionKind final : public FieldTableKind<Region> {
         for (const auto& [field, text] : values) {
             if (field == "category") region.category = model::region_category_from_word(text).value_or(region.category);
         }
-        return usual_shows(project, region);
-    }
-
-    [[nodiscard]] static model::RegionShows usual_shows(Project& project, const Region& region) {
-        const model::UnitIndex unit = project.index().find(region.unit);
-        const auto kind = unit == model::kNoUnit ? model::UnitKind::Unknown : project.record().units[unit].kind;
-        model::DigMethod method = project.record().settings.method;
-        for (const model::Surface& surface : project.record().surfaces) {
-            if (surface.id == region.surface) method = surface.method;
-        }
-        return default_shows(region.category, kind, method, region.surface.is_nil());
+        return usual_shows(project.record(), region);
     }
 };
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/regions/outline.hpp"
+#include "app/regions/region_names.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygon_overlay.hpp"
 #include "core/geometry/polygons.hpp"
@@ -128,9 +129,8 @@ std::vector<const model::Region*> regions_on(const model::Record& record, model:
 double region_area(const model::Record& record, const model::Region& region) {
     const MultiPolygon shape = shape_of(region.outline);
     if (!region.surface.is_nil()) return geometry::area(shape);
-    const auto section = std::find_if(record.sections.begin(), record.sections.end(),
-                                      [&](const auto& s) { return s.id == region.section; });
-    return section == record.sections.end() ? 0.0 : geometry::area(onto_plane(shape, *section));
+    const model::Section* section = section_of(record, region);
+    return section == nullptr ? 0.0 : geometry::area(onto_plane(shape, *section));
 }
 
 MultiPolygon onto_plane(const MultiPolygon& in_site, const model::Section& section) {

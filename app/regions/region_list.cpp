@@ -2,11 +2,12 @@
 #include "app/regions/region_list.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/regions/region_heights.hpp"
-#include "app/regions/region_import.hpp"
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_names.hpp"
+#include "app/scans/days_surface.hpp"
 #include "core/geometry/polygons.hpp"
 
 namespace planum::app {
@@ -41,12 +42,15 @@ std::vector<double> shown_areas(const model::Record& record) {
 
 } // namespace
 
-std::vector<RegionRow> list_regions(Project& project, const std::string& day, Progress& progress) {
+RegionList list_regions(Project& project, const std::string& day, Progress& progress) {
+    if (!day.empty()) require_day("--day", day);
     const model::Record& record = project.record();
     const model::RecordIndex& index = project.index();
     const std::vector<double> areas = shown_areas(record);
-    const std::vector<RegionHeights> heights = heights_of_regions(project, progress);
-    std::vector<RegionRow> rows;
+    CountedHeights counted = heights_of_regions(project, progress);
+    const std::vector<RegionHeights>& heights = counted.regions;
+    RegionList list;
+    list.problems = std::move(counted.problems);
     for (const std::size_t i : regions_in_order(record, index)) {
         const model::Region& region = record.regions[i];
         RegionRow row;
@@ -63,6 +67,7 @@ std::vector<RegionRow> list_regions(Project& project, const std::string& day, Pr
             row.near = proposed_numbers(record, region.unit_as_drawn);
         }
         row.points = heights.at(i).points;
+        row.incomplete = heights[i].incomplete;
         row.outside_scans = heights[i].outside_scans;
         if (row.points > 0) {
             row.z_min = heights[i].lowest;
@@ -73,9 +78,9 @@ std::vector<RegionRow> list_regions(Project& project, const std::string& day, Pr
             row.z_median = z[z.size() / 2];
             row.z_max = z.back();
         }
-        rows.push_back(std::move(row));
+        list.rows.push_back(std::move(row));
     }
-    return rows;
+    return list;
 }
 
 } // namespace planum::app

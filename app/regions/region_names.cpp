@@ -15,17 +15,18 @@ namespace planum::app {
 
 namespace {
 
-const model::Section* section_of(const model::Record& record, model::SectionId id) {
-    const auto it =
-        std::find_if(record.sections.begin(), record.sections.end(), [&](const auto& s) { return s.id == id; });
-    return it == record.sections.end() ? nullptr : &*it;
+// Whether only `#n` tells the names of two regions apart.
+bool same_label(const model::Region& a, const model::Region& b) {
+    if (a.surface != b.surface || a.section != b.section || a.unit != b.unit) return false;
+    if (!a.unit.is_nil()) return true;
+    return a.unit_as_drawn == b.unit_as_drawn && (!a.unit_as_drawn.empty() || a.category == b.category);
 }
 
 std::string place_name(const model::Record& record, const model::Region& region) {
     for (const model::Surface& surface : record.surfaces) {
         if (!region.surface.is_nil() && surface.id == region.surface) return surface_name(record, surface);
     }
-    const model::Section* section = section_of(record, region.section);
+    const model::Section* section = section_of(record, region);
     return section == nullptr ? "?" : section->name;
 }
 
@@ -65,7 +66,7 @@ std::string region_day(const model::Record& record, const model::Region& region)
     for (const model::Surface& surface : record.surfaces) {
         if (!region.surface.is_nil() && surface.id == region.surface) return surface.first_day;
     }
-    const model::Section* section = section_of(record, region.section);
+    const model::Section* section = section_of(record, region);
     return section == nullptr ? std::string{} : section->day;
 }
 
@@ -96,6 +97,76 @@ std::vector<std::size_t> regions_in_order(const model::Record& record, const mod
         return a.part < b.part;
     });
     return order;
+}
+
+const model::Section* section_of(const model::Record& record, const model::Region& region) {
+    if (!region.surface.is_nil()) return nullptr;
+    const auto it = std::find_if(record.sections.begin(), record.sections.end(),
+                                 [&](const model::Section& section) { return section.id == region.section; });
+    return it == record.sections.end() ? nullptr : &*it;
+}
+
+std::int64_t free_part(const model::Record& record, const model::Region& region) {
+    std::int64_t last = 0;
+    bool taken = false;
+    for (const model::Region& other : record.regions) {
+        if (other.id == region.id || !same_label(region, other)) continue;
+        last = std::max(last, other.part);
+        taken = taken || other.part == region.part;
+    }
+    return taken ? last + 1 : region.part;
+}
+
+std::string number_as_drawn(const model::Record& record, const model::Region& region, std::string number,
+                            model::AreaId area) {
+    constexpr std::string_view kOfArea = "::";
+    for (const model::Area& named : record.areas) { // said already
+        if (!number.starts_with(named.name + std::string(kOfArea))) continue;
+        number.erase(0, named.name.size() + kOfArea.size());
+        area = named.id;
+        break;
+    }
+    if (area.is_nil() || record.settings.numbers == model::NumberScope::Site) return number;
+    const model::Section* section = section_of(record, region);
+    model::AreaId own = section == nullptr ? model::AreaId{} : section->area;
+    for (const model::Surface& surface : record.surfaces) {
+        if (!region.surface.is_nil() && surface.id == region.surface) own = surface.area;
+    }
+    if (own == area) return number;
+    for (const model::Area& named : record.areas) {
+        if (named.id == area) return named.name + std::string(kOfArea) + number;
+    }
+    return number;
+}
+
+std::vector<std::string> proposed_numbers(const model::Record& record, const std::string& drawn) {
+    const std::size_t colons = drawn.rfind("::");
+    const std::string number = colons == std::string::npos ? drawn : drawn.substr(colons + 2);
+    constexpr std::size_t kMost = 5;
+    std::vector<std::string> near = near_numbers(record, number, kMost);
+    if (!near.empty()) return near;
+    const auto wanted = text::parse_integer(number);
+    if (!wanted) return near;
+    std::vector<std::pair<long long, std::string>> by_distance;
+    for (const model::StratigraphicUnit& unit : record.units) {
+        const auto value = text::parse_integer(unit.number);
+        if (value) by_distance.emplace_back(*value > *wanted ? *value - *wanted : *wanted - *value, unit.number);
+    }
+    std::sort(by_distance.begin(), by_distance.end());
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, by_distance.size()); ++i)
+        near.push_back(by_distance[i].second);
+    return near;
+}
+
+model::RegionShows usual_shows(const model::Record& record, const model::Region& region, model::UnitKind kind) {
+    for (const model::StratigraphicUnit& unit : record.units) {
+        if (!region.unit.is_nil() && unit.id == region.unit) kind = unit.kind;
+    }
+    model::DigMethod method = record.settings.method;
+    for (const model::Surface& surface : record.surfaces) {
+        if (surface.id == region.surface) method = surface.method;
+    }
+    return default_shows(region.category, kind, method, region.surface.is_nil());
 }
 
 model::RegionShows default_shows(model::RegionCategory category, model::UnitKind kind, model::DigMethod method,

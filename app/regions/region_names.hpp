@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,25 @@ namespace planum::app {
 
 /// Positions of all regions: by surface in time, then sections by name, then by unit naturally and part.
 [[nodiscard]] std::vector<std::size_t> regions_in_order(const model::Record& record, const model::RecordIndex& index);
+
+/// The section that a region lies on; nullptr when it lies on a surface.
+[[nodiscard]] const model::Section* section_of(const model::Record& record, const model::Region& region);
+
+/// The part that makes the name of a region its own among those of the record: its own where that is free, else the
+/// next.
+[[nodiscard]] std::int64_t free_part(const model::Record& record, const model::Region& region);
+
+/// A number as a region keeps it while no unit has it, or while somebody has given the region another unit: with its
+/// area where each area counts for itself and the region's surface or section is not of that area.
+[[nodiscard]] std::string number_as_drawn(const model::Record& record, const model::Region& region, std::string number,
+                                          model::AreaId area);
+
+/// Issued numbers that an unknown one may stand for: one slip of the hand away, else the nearest in value.
+[[nodiscard]] std::vector<std::string> proposed_numbers(const model::Record& record, const std::string& drawn);
+
+/// What a region shows unless somebody says otherwise, by default_shows; `kind` counts while the region has no unit.
+[[nodiscard]] model::RegionShows usual_shows(const model::Record& record, const model::Region& region,
+                                             model::UnitKind kind = model::UnitKind::Unknown);
 
 /// What a region shows unless somebody says otherwise, from the method of its surface and the kind of its unit: what is
 /// no unit shows nothing, on a section all shows a face, a cut shows the cut, structures and skeletons their top,

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "app/regions/region_layout.hpp"
+#include "app/regions/region_names.hpp"
 #include "core/geometry/polygons.hpp"
 
 namespace planum::app {
@@ -15,13 +16,6 @@ using geometry::MultiPolygon;
 
 constexpr double kAboveOutline = 1.0; ///< [m]
 constexpr double kBesidePlane = 0.05; ///< [m]
-
-const model::Section* section_of(const model::Record& record, const model::Region& region) {
-    for (const model::Section& section : record.sections) {
-        if (region.surface.is_nil() && section.id == region.section) return &section;
-    }
-    return nullptr;
-}
 
 geometry::Rigid3 plane_from_site(const model::Section& section) {
     const Eigen::Vector2d from(section.from_in_site[0], section.from_in_site[1]);

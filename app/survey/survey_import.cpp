@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "app/import/import_service.hpp"
-#include "app/regions/region_import.hpp"
+#include "app/regions/region_names.hpp"
+#include "app/scans/days_surface.hpp"
 #include "app/survey/code_table.hpp"
 #include "app/survey/survey_csv.hpp"
 #include "app/survey/survey_dxf.hpp"
@@ -52,7 +53,18 @@ class Translator {
         set.sources.push_back(source);
         set.main_source = name;
         set.notes = file.notes;
+        levels_without_height_ = 0;
         for (const SurveyPoint& point : file.points) take(point, set);
+        if (levels_without_height_ > 0) {
+            set.notes.push_back(
+                {name,
+                 first_without_height_,
+                 "no-height",
+                 {},
+                 levels_without_height_ == 1
+                     ? std::string("a level without a height was left out")
+                     : fmt::format("from here on, {} levels without a height were left out", levels_without_height_)});
+        }
         return set;
     }
 
@@ -61,10 +73,11 @@ class Translator {
         ++report_.points;
         auto code = codes_.read(point.code);
         if (const auto by_name = codes_.read(point.name); by_name && (!code || code->number.empty())) {
-            // Drawings write code and number as one text; the layer then says nothing more.
-            if (!code || (by_name->meaning == code->meaning && !by_name->number.empty())) code = by_name;
+            // Drawings write code and number as one text; the layer then says nothing more. In a table B2 is a name.
+            const bool is_code = !code && point.source != PointSource::Table;
+            if (is_code || (code && by_name->meaning == code->meaning && !by_name->number.empty())) code = by_name;
         }
-        const bool bare_text = point.text == "text" && (!code || code->number.empty());
+        const bool bare_text = point.source == PointSource::LoneText && (!code || code->number.empty());
         if (!code || bare_text || code->meaning == SurveyMeaning::Ignored) {
             if (!bare_text) ++report_.other_codes[point.code.empty() ? "(none)" : point.code];
             return;
@@ -83,14 +96,20 @@ class Translator {
 
     // The unit's name when it is known, or may be made; an empty number with a note otherwise.
     strat::UnitName unit_for(const std::string& number, const SurveyPoint& point, ImportSet& set, const char* thing) {
-        const auto hits = project_.index().named(number);
         const model::Record& record = project_.record();
+        auto hits = project_.index().named(number);
         const auto area_name = [&](model::UnitIndex unit) {
             for (const model::Area& area : record.areas) {
                 if (area.id == record.units[unit].area) return area.name;
             }
             return std::string{};
         };
+        if (!options_.area.empty() && record.settings.numbers == model::NumberScope::Area) {
+            std::erase_if(hits, [&](model::UnitIndex unit) { // another area's number
+                return record.units[unit].number == number && !record.units[unit].area.is_nil() &&
+                       area_name(unit) != options_.area;
+            });
+        }
         for (const model::UnitIndex unit : hits) {
             if (hits.size() == 1 || area_name(unit) == options_.area) {
                 return {area_name(unit), record.units[unit].number};
@@ -112,7 +131,10 @@ class Translator {
     }
 
     void take_level(const SurveyPoint& point, const ReadCode& code, ImportSet& set) {
-        if (!point.z) return note(point, set, "unparsed", "a level without a height was left out");
+        if (!point.z) {
+            if (levels_without_height_++ == 0) first_without_height_ = point.line;
+            return;
+        }
         const std::string number = !point.unit.empty()    ? point.unit
                                    : !code.number.empty() ? code.number
                                                           : stem_of(point.name);
@@ -137,7 +159,7 @@ class Translator {
         find.values.y = point.y;
         find.values.z = point.z;
         find.values.found_on = options_.day;
-        if (point.text != "text") find.values.description = point.text;
+        find.values.description = point.text;
         set.record.finds.push_back(std::move(find));
     }
 
@@ -145,12 +167,15 @@ class Translator {
     const SurveyOptions& options_;
     const CodeTable& codes_;
     SurveyReport& report_;
+    std::size_t levels_without_height_ = 0; ///< of the file at hand
+    std::int64_t first_without_height_ = 0; ///< its line
 };
 
 } // namespace
 
 SurveyReport import_survey(Project& project, const std::vector<std::filesystem::path>& files,
                            const SurveyOptions& options) {
+    if (!options.day.empty()) require_day("--day", options.day);
     CodeTable codes;
     if (!options.codes.empty()) {
         codes.add_table(read_file(options.codes, kLargest), options.codes.filename().string());

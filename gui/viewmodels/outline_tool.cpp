@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/regions/region_import.hpp"
+#include "app/regions/region_names.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "gui/viewmodels/words.hpp"
