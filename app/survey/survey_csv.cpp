@@ -48,6 +48,23 @@ Columns columns_of(const strat::TableHeader& header) {
             header.find_any(kCode), header.find_any(kUnit), header.find_any(kFind), header.find_any(kText)};
 }
 
+// Names of --columns that mean nothing would silently leave out what stands below them.
+void check_columns(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        strat::TableRow one;
+        one.cells = {name};
+        const Columns known = columns_of(strat::TableHeader(one));
+        if (name.empty() || name == "-" || known.name || known.x || known.y || known.z || known.code || known.unit ||
+            known.find || known.text) {
+            continue;
+        }
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("columns {}: {} is none of name, x, y, z, code, unit, find, text; write - for one that "
+                                "is not to be read",
+                                text::join(names, ","), name));
+    }
+}
+
 // Instruments also write columns apart by blanks only.
 std::string blanks_as_tabs(std::string_view bytes) {
     std::string out;
@@ -107,6 +124,7 @@ SurveyFile read_survey_csv(std::string_view bytes, std::string_view file_name, s
         names.cells.clear();
         const std::string_view wanted = columns.empty() ? std::string_view("name,x,y,z,code") : columns;
         for (const std::string_view name : text::split(wanted, ',')) names.cells.emplace_back(text::trim(name));
+        check_columns(names.cells);
         first = 0;
     }
     const Columns where = columns_of(strat::TableHeader(names));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ struct Entity {
     std::string name; ///< block of an INSERT, tag of an ATTRIB
     double x = 0.0;
     double y = 0.0;
-    double z = 0.0;
+    std::optional<double> z;
     bool placed = false;
     std::int64_t line = 0;
     std::vector<std::pair<std::string, std::string>> attributes;
@@ -88,7 +89,9 @@ void set(Entity& entity, int code, std::string_view value) {
     case 8: entity.layer = value; break;
     case 10: entity.placed = number(entity.x); break;
     case 20: entity.placed = number(entity.y) && entity.placed; break;
-    case 30: (void)number(entity.z); break;
+    case 30:
+        if (double z = 0.0; number(z)) entity.z = z;
+        break;
     default: break;
     }
 }
@@ -143,6 +146,7 @@ SurveyPoint point_of(const Entity& entity) {
     point.y = entity.y;
     point.z = entity.z;
     point.line = entity.line;
+    point.source = PointSource::Drawing;
     return point;
 }
 
@@ -185,6 +189,23 @@ void label(SurveyPoint& point, const std::string& layer, const std::vector<const
     point.name = texts[nearest]->text;
 }
 
+// Nobody measured a height of 0 there.
+void note_flat_points(SurveyFile& file, std::string_view file_name) {
+    std::size_t flat = 0;
+    std::int64_t first = 0;
+    for (const SurveyPoint& point : file.points) {
+        if (point.z) continue;
+        if (flat++ == 0) first = point.line;
+    }
+    if (flat == 0) return;
+    file.notes.push_back(
+        {std::string(file_name),
+         first,
+         "no-height",
+         {},
+         fmt::format("{} of {} points of the drawing have no height (group 30)", flat, file.points.size())});
+}
+
 } // namespace
 
 bool is_dxf(std::string_view bytes) noexcept {
@@ -221,9 +242,10 @@ SurveyFile read_survey_dxf(std::string_view bytes, std::string_view file_name) {
         if (used[i]) continue;
         file.points.push_back(point_of(*texts[i]));
         file.points.back().name = texts[i]->text;
-        file.points.back().text = "text"; // a text alone is a point only when it reads as a code
+        file.points.back().source = PointSource::LoneText;
     }
     if (file.points.empty()) throw Error(ErrorCode::BadInput, "it holds no POINT, INSERT or TEXT");
+    note_flat_points(file, file_name);
     return file;
 }
 

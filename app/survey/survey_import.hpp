@@ -38,7 +38,7 @@ struct SurveyReport {
 /// Takes the points of total stations (tables) and drawings (DXF) in as levels and finds, as one undo step. The same
 /// file again changes nothing. A level needs a unit of the record: from its own column, the number behind its code, or
 /// its point name up to the first `.`, `/` or `_`. Those of unknown units are noted with the numbers nearby, and stay
-/// noted until the unit comes. Throws BadInput naming the file.
+/// noted until the unit comes. Throws BadInput naming the file, Usage when `day` is no day.
 SurveyReport import_survey(Project& project, const std::vector<std::filesystem::path>& files,
                            const SurveyOptions& options);
 

@@ -10,6 +10,13 @@
 
 namespace planum::app {
 
+/// Where a point was read from; says whether its name may be a code.
+enum class PointSource {
+    Table,   ///< a row: the code stands in its own column, a name is a name
+    Drawing, ///< a point of a drawing: the text beside it may be code and number in one
+    LoneText ///< a text of a drawing without a point: one only when it reads as a code with a number
+};
+
 /// One measured point as a total station or a drawing has it; site grid [m].
 struct SurveyPoint {
     std::string name; ///< point number
@@ -21,6 +28,7 @@ struct SurveyPoint {
     double y = 0.0;
     std::optional<double> z;
     std::int64_t line = 0; ///< in the file, from 1
+    PointSource source = PointSource::Table;
 };
 
 struct SurveyFile {
