@@ -105,10 +105,10 @@ ordered_json height_json(const std::optional<double>& z) { return z ? ordered_js
 
 void run_list(const Context& context, const std::string& day) {
     app::Project project = context.open(store::OpenMode::ReadOnly);
-    const std::vector<app::RegionRow> rows = app::list_regions(project, day, *context.progress);
+    const app::RegionList regions = app::list_regions(project, day, *context.progress);
     if (context.json) {
         ordered_json list = ordered_json::array();
-        for (const app::RegionRow& row : rows) {
+        for (const app::RegionRow& row : regions.rows) {
             list.push_back({{"region", row.region},
                             {"unit", row.unit.empty() ? ordered_json(nullptr) : ordered_json(row.unit)},
                             {"day", row.day},
@@ -125,10 +125,15 @@ void run_list(const Context& context, const std::string& day) {
                 list.back()["near"] = row.near;
             }
             if (row.outside_scans) list.back()["outside_scans"] = true;
+            if (row.incomplete) list.back()["incomplete"] = true;
         }
-        return context.print({{"regions", list}});
+        ordered_json problems = ordered_json::array();
+        for (const auto& problem : regions.problems) {
+            problems.push_back({{"where", problem.where}, {"what", problem.what}});
+        }
+        return context.print({{"regions", list}, {"problems", problems}});
     }
-    for (const app::RegionRow& row : rows) {
+    for (const app::RegionRow& row : regions.rows) {
         std::string line = fmt::format("{:<24} {:<8} {:>8.2f} m²", row.region, row.shows, row.area);
         if (row.points > 0) line += fmt::format("  {} points", row.points);
         if (row.z_min) line += fmt::format("  {:.2f} … {:.2f} m", *row.z_min, *row.z_max);
@@ -137,8 +142,10 @@ void run_list(const Context& context, const std::string& day) {
                                 row.near.empty() ? "" : "; near it: " + text::join(row.near, ", "));
         }
         if (row.outside_scans) line += "  outside all scans of its day";
+        if (row.incomplete) line += "  without the scans that cannot be read";
         *context.out << line << '\n';
     }
+    for (const auto& problem : regions.problems) context.say("not counted: " + problem.what);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/regions/region_heights.hpp"
 #include "app/scans/verify_scans.hpp"
 #include "core/base/error.hpp"
 #include "core/base/uuid.hpp"
@@ -59,7 +60,10 @@ Cleaned clean_project(Project& project, const std::string& forget_undo_before, P
         CleanedScans scans = clean_scans(project);
         cleaned.removed = std::move(scans.removed);
         cleaned.removed_bytes = scans.bytes;
-        for (const fs::path& file : left_over(project.path())) {
+        std::vector<fs::path> unneeded = left_over(project.path());
+        const std::vector<fs::path> stale = stale_region_heights(project);
+        unneeded.insert(unneeded.end(), stale.begin(), stale.end());
+        for (const fs::path& file : unneeded) {
             cleaned.removed_bytes += fs::file_size(file);
             fs::remove(file);
             cleaned.removed.push_back(file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/regions/outline_text.hpp"
 
+#include <array>
 #include <cctype>
 #include <cstddef>
 
@@ -19,7 +20,8 @@ class OutlineParser {
     explicit OutlineParser(std::string_view text) : text_(text) {}
 
     geometry::MultiPolygon parse() {
-        const std::string word = text::fold_case(keyword());
+        const std::string_view written = keyword();
+        const std::string word = geometry_word(written);
         if (word.empty()) {
             shape_ = {{{}}};
             points(shape_[0][0]);
@@ -28,7 +30,7 @@ class OutlineParser {
         } else if (word == "multipolygon") {
             list([&] { shape_.push_back(polygon()); });
         } else {
-            fail(word);
+            fail(written);
         }
         skip_blanks();
         if (at_ < text_.size()) fail(text_.substr(at_, 20));
@@ -49,9 +51,22 @@ class OutlineParser {
         skip_blanks();
         const std::size_t from = at_;
         while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-        const std::string_view word = text_.substr(from, at_ - from);
-        skip_blanks();
-        if (at_ < text_.size() && (text_[at_] == 'Z' || text_[at_] == 'z')) ++at_;
+        return text_.substr(from, at_ - from);
+    }
+
+    // `POLYGON Z`, `PolygonZ`, `POLYGONZM`: what coordinates stand behind x and y is a word of its own or not.
+    std::string geometry_word(std::string_view written) {
+        std::string word = text::fold_case(written);
+        std::string dimensions;
+        for (const std::string_view name : {"multipolygon", "polygon"}) {
+            if (!word.starts_with(name)) continue;
+            dimensions = word.substr(name.size());
+            word = name;
+        }
+        if (!word.empty() && dimensions.empty()) dimensions = text::fold_case(keyword());
+        if (dimensions != "" && dimensions != "z" && dimensions != "m" && dimensions != "zm") fail(written);
+        has_measure_ = dimensions == "m" || dimensions == "zm";
+        most_ = has_measure_ ? dimensions.size() + 2 : 3;
         return word;
     }
 
@@ -83,9 +98,9 @@ class OutlineParser {
 
     void points(geometry::Line3& ring) {
         do {
-            geometry::Point3 p{};
+            std::array<double, 4> p{};
             std::size_t n = 0;
-            while (n < 3) {
+            while (n < most_) {
                 skip_blanks();
                 const std::size_t from = at_;
                 while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != ')' &&
@@ -98,7 +113,8 @@ class OutlineParser {
                 p[n++] = *value;
             }
             if (n < 2) fail(text_.substr(at_, 20));
-            ring.push_back(p);
+            if (has_measure_) p[most_ - 1] = 0.0; // it is no height
+            ring.push_back({p[0], p[1], p[2]});
         } while (take(','));
         const bool closed = ring.size() > 1 && ring.front()[0] == ring.back()[0] && ring.front()[1] == ring.back()[1];
         if (closed) ring.pop_back();
@@ -106,6 +122,8 @@ class OutlineParser {
 
     std::string_view text_;
     std::size_t at_ = 0;
+    std::size_t most_ = 3;     ///< numbers of a point
+    bool has_measure_ = false; ///< the last of them is a measure
     geometry::MultiPolygon shape_;
 };
 

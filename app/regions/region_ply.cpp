@@ -43,7 +43,9 @@ std::string ply_header(std::int64_t points, bool colour) {
 class PlyFile {
   public:
     PlyFile(const fs::path& target, const std::string& header)
-        : target_(target), partial_(target.string() + ".part"), out_(partial_, std::ios::binary), bytes_(header) {}
+        : target_(target), partial_(target.string() + ".part"), out_(partial_, std::ios::binary), bytes_(header) {
+        if (!out_) fail();
+    }
 
     ~PlyFile() {
         std::error_code ignored;
@@ -69,7 +71,7 @@ class PlyFile {
         out_.close();
         std::error_code error;
         if (out_) fs::rename(partial_, target_, error);
-        if (!out_ || error) throw Error(ErrorCode::Io, fmt::format("{}: cannot be written", target_.string()));
+        if (!out_ || error) fail();
         finished_ = true;
     }
 
@@ -79,6 +81,11 @@ class PlyFile {
     void flush() {
         out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
         bytes_.clear();
+        if (!out_) fail(); // a full disk: do not go on through all points
+    }
+
+    [[noreturn]] void fail() const {
+        throw Error(ErrorCode::Io, fmt::format("{}: cannot be written", target_.string()));
     }
 
     fs::path target_;

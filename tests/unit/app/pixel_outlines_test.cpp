@@ -2,7 +2,6 @@
 #include "app/regions/pixel_outlines.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,11 +9,11 @@
 #include "app/regions/outline_text.hpp"
 #include "app/regions/region_import.hpp"
 #include "app/regions/region_list.hpp"
-#include "app/scans/add_scans.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygon_overlay.hpp"
 #include "core/geometry/polygons.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/placed_scan.hpp"
 #include "tests/support/temporary.hpp"
 
 using namespace planum;
@@ -67,29 +66,11 @@ std::string file_of(const std::string& polygons) {
                        polygons);
 }
 
-void place(app::Project& project) {
-    project.change("place", [&] {
-        model::RegistrationRun run;
-        run.name = "1";
-        run.made_at = "2025-06-02T10:00:00Z";
-        run.state = "accepted";
-        run.id = project.file().insert(run);
-        model::ScanPose pose;
-        pose.scan = project.record().scans.front().id;
-        pose.run = run.id;
-        pose.site_from_scan = {0, -1, 0, 100, 1, 0, 0, 200, 0, 0, 1, 50, 0, 0, 0, 1};
-        project.file().insert(pose);
-    });
-}
-
 } // namespace
 
 TEST_CASE("A polygon of a panorama comes to lie where its pixels lie on the ground") {
     const test::TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "2025-06-01");
-    std::ofstream(folder / "2025-06-01/s.xyz") << a_floor();
-    app::Project project = app::Project::create(folder / "site.gpkg", {}, {});
-    app::add_scans(project, {folder / "2025-06-01"}, {}, Progress::none());
+    app::Project project = test::project_with_scan(folder, a_floor());
     const geometry::Line3 outer = {{2, -1, 0}, {4, -1.2, 0}, {4, 1, 0}, {3, 1.5, 0}, {2, 1, 0}};
     const geometry::Line3 hole = {{2.5, 0, 0}, {3, 0, 0}, {3, 0.5, 0}};
     const std::string good =
@@ -97,7 +78,7 @@ TEST_CASE("A polygon of a panorama comes to lie where its pixels lie on the grou
     const std::string sky = R"({"category": "water", "rings": [[[10, 10], [40, 10], [20, 40]]]})";
     const auto file = folder.write("drawn.json", file_of(good + ", " + sky));
     CHECK_THROWS_AS(app::import_outline_files(project, {file}, {}, Progress::none()), Error); // not registered yet
-    place(project);
+    test::place_scans(project, test::turned_pose(50.0));
     const auto report = app::import_outline_files(project, {file}, {}, Progress::none());
     CHECK(report.fresh == std::vector<std::string>{"2025-06-01/spoil#1"});
     REQUIRE(report.notes.size() == 1);

@@ -74,7 +74,7 @@ TEST_CASE("A region inside another cuts its own hole, whichever was drawn first"
         std::vector<app::DrawnOutline> outlines = {drawn("1", kDay, kLarge), drawn("2", kDay, kSmall)};
         if (small_first) std::swap(outlines[0], outlines[1]);
         CHECK(import(site, outlines).overlaps.empty());
-        const auto rows = app::list_regions(site.project, "");
+        const auto rows = app::list_regions(site.project, "").rows;
         REQUIRE(rows.size() == 2);
         CHECK(rows[0].area == Approx(11.0));
         CHECK(rows[0].drawn_area == Approx(12.0));
@@ -91,7 +91,7 @@ TEST_CASE("Ground that two regions claim is reported and belongs to neither; a s
                                       drawn("3", kDay, "3.97 2 5, 6 2 5, 6 3 5, 3.97 3 5")});
     REQUIRE(report.overlaps.size() == 1);
     CHECK(report.overlaps[0].area == Approx(2.0));
-    const auto rows = app::list_regions(site.project, "");
+    const auto rows = app::list_regions(site.project, "").rows;
     CHECK(rows[0].area == Approx(12.0 - 2.0 - 0.03));
     CHECK(rows[1].area == Approx(4.0));
     const auto& record = site.project.record();
@@ -118,7 +118,7 @@ TEST_CASE("The same outlines again change nothing; a redrawn one is kept unless 
     app::RegionImportOptions update;
     update.update = true;
     CHECK(import(site, {drawn("1", kDay, "0 0 5, 5 0 5, 5 3 5, 0 3 5")}, update).redrawn.size() == 1);
-    CHECK(app::list_regions(site.project, "")[0].area == Approx(15.0));
+    CHECK(app::list_regions(site.project, "").rows[0].area == Approx(15.0));
 }
 
 TEST_CASE("An unknown number waits as a region without unit and is named when its unit comes") {
@@ -194,7 +194,7 @@ TEST_CASE("An outline on a section keeps its area in the plane and comes back wh
     outline.on_plane = true;
     outline.section = app::SectionWish{"S1", std::array<std::array<double, 2>, 2>{{{100.0, 200.0}, {103.0, 204.0}}}};
     CHECK(import(site, {outline}).sections == std::vector<std::string>{"S1"});
-    const auto rows = app::list_regions(site.project, "");
+    const auto rows = app::list_regions(site.project, "").rows;
     REQUIRE(rows.size() == 1);
     CHECK(rows[0].region == "S1/1#1");
     CHECK(rows[0].shows == "face");
@@ -238,8 +238,17 @@ TEST_CASE("A typed outline and its text are the same shape") {
     CHECK(shape.size() == 2);
     CHECK(shape[0].size() == 2);
     CHECK(app::parse_outline(app::outline_text(shape)) == shape);
-    for (const char* bad :
-         {"", "1", "1 2, a b", "POLYGON(1 2, 3 4)", "POLYGON((1 2, 3 4)", "CIRCLE(1 2)", "1 2, 3 4) x"}) {
+    const auto triangle = app::parse_outline("0 0 5, 4 0 5, 4 3 5");
+    for (const char* same : {"POLYGON Z((0 0 5, 4 0 5, 4 3 5))", "POLYGON Z ((0 0 5,4 0 5,4 3 5,0 0 5))",
+                             "PolygonZ ((0 0 5, 4 0 5, 4 3 5))", "polygonz((0 0 5, 4 0 5, 4 3 5))",
+                             " MultiPolygonZ (((0 0 5, 4 0 5, 4 3 5)))", "POLYGON ZM ((0 0 5 1, 4 0 5 2, 4 3 5 3))",
+                             "POLYGONZM((0 0 5 1, 4 0 5 2, 4 3 5 3))"}) {
+        INFO(same);
+        CHECK(app::parse_outline(same) == triangle);
+    }
+    CHECK(app::parse_outline("POLYGON M ((0 0 5, 4 0 5, 4 3 5))") == app::parse_outline("0 0, 4 0, 4 3"));
+    for (const char* bad : {"POLYGON Q ((1 2, 3 4, 5 0))", "POLYGON EMPTY", "POLYGONX ((1 2, 3 4, 5 0))", "", "1",
+                            "1 2, a b", "POLYGON(1 2, 3 4)", "POLYGON((1 2, 3 4)", "CIRCLE(1 2)", "1 2, 3 4) x"}) {
         CHECK_THROWS_AS(app::parse_outline(bad), Error);
     }
 }
