@@ -212,7 +212,7 @@ std::optional<RegisterMethod> register_method_from_word(std::string_view word) n
     return std::nullopt;
 }
 
-RegistrationReport register_scans(Project& project, const RegisterOptions& options, Progress& progress) {
+RegistrationReport compute_registration(Project& project, const RegisterOptions& options, Progress& progress) {
     const ChainInput input = chain_input(project, options);
     const bool has_work =
         std::any_of(input.scans.begin(), input.scans.end(), [](const ChainScan& s) { return s.is_asked; });
@@ -223,8 +223,12 @@ RegistrationReport register_scans(Project& project, const RegisterOptions& optio
         return nothing;
     }
     const ChainResult result = run_chain(input, options, progress);
-    RegistrationReport report = make_report(input, result, options);
-    keep_run(project, report, options.acceptance);
+    return make_report(input, result, options);
+}
+
+RegistrationReport register_scans(Project& project, const RegisterOptions& options, Progress& progress) {
+    RegistrationReport report = compute_registration(project, options, progress);
+    if (!report.scans.empty()) keep_run(project, report, options.acceptance);
     return report;
 }
 

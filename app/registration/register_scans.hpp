@@ -36,6 +36,12 @@ struct RegisterOptions {
     std::uint64_t seed = 1;
 };
 
+/// Places scans on the site grid and reports it; keeps nothing, so that a connection that only reads will do and what
+/// takes minutes holds nobody up (keep_run keeps it). Without scans in the report there was nothing to do. Throws as
+/// register_scans does.
+[[nodiscard]] RegistrationReport compute_registration(Project& project, const RegisterOptions& options,
+                                                      Progress& progress);
+
 /// Places scans on the site grid and keeps the result as a run, as one undo step. Earlier accepted scans that are not
 /// asked for stay where they are. Scans that cannot be placed are reported as failed with the reason. A run is
 /// accepted at once if asked for and no scan is placed poorly; else it stays proposed. Throws Usage or NotFound for

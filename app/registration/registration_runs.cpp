@@ -110,6 +110,10 @@ void keep_run(Project& project, RegistrationReport& report, Acceptance acceptanc
         if (!scan.site_from_scan) continue;
         const auto it = std::find_if(record.scans.begin(), record.scans.end(),
                                      [&](const model::Scan& s) { return s.name == scan.scan; });
+        if (it == record.scans.end()) {
+            throw Error(ErrorCode::Conflict,
+                        fmt::format("scan {} was removed while it was registered; nothing was kept", scan.scan));
+        }
         poses.push_back({it->id, {}, *scan.site_from_scan, scan.covariance, scan.rms, scan.overlap, scan.verdict});
     }
     project.change(fmt::format("Register {} scans", poses.size()), [&] {

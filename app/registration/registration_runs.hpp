@@ -12,7 +12,7 @@
 namespace planum::app {
 
 /// Keeps a report and its poses as a run, as one undo step; fills the report's `run`, `state` and a note that says
-/// why the state is what it is.
+/// why the state is what it is. Throws Conflict when a scan that was placed is no longer in the project.
 void keep_run(Project& project, RegistrationReport& report, Acceptance acceptance);
 
 /// The run's poses hold from now on. Throws NotFound (with the runs there are) or Conflict.

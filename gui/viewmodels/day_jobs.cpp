@@ -10,6 +10,7 @@
 #include "app/regions/region_import.hpp"
 #include "app/registration/import_markers.hpp"
 #include "app/registration/register_scans.hpp"
+#include "app/registration/registration_runs.hpp"
 #include "app/scans/add_scans.hpp"
 #include "app/survey/survey_import.hpp"
 #include "core/base/text.hpp"
@@ -55,6 +56,19 @@ ImportPreview in_words(const app::ImportReport& report) {
     return preview;
 }
 
+QStringList in_words(const app::RegistrationReport& report) {
+    QStringList lines;
+    for (const app::ReportedScan& scan : report.scans) {
+        lines << (scan.status == "registered" ? DayJobs::tr("%1: placed, position within %2 mm. %3")
+                                                    .arg(qt(scan.scan))
+                                                    .arg(1000.0 * scan.sigma_position, 0, 'f', 1)
+                                                    .arg(qt(scan.verdict))
+                                              : DayJobs::tr("%1: not placed. %2").arg(qt(scan.scan), qt(scan.verdict)));
+    }
+    for (const std::string& note : report.notes) lines << qt(note);
+    return lines;
+}
+
 } // namespace
 
 FileUse use_of(const std::filesystem::path& file) {
@@ -83,94 +97,90 @@ void DayJobs::preview_import(const Files& files, bool update) {
                     });
 }
 
-void DayJobs::import(const Files& files, bool update) {
+void DayJobs::run(const QString& title, Said work) {
     auto sentence = std::make_shared<QString>();
-    workspace_.edit(
-        tr("Importing"),
-        [files, update, sentence](app::Project& project, Progress& progress) {
-            app::ImportOptions options;
-            options.update = update;
-            const app::ImportReport report = app::import_files(project, files, options, progress);
-            *sentence = report.changed ? DayJobs::tr("imported: %1 new units, %2 new relations")
-                                             .arg(report.new_units)
-                                             .arg(report.new_relations)
-                                       : DayJobs::tr("nothing in the files is new");
-        },
-        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
-}
-
-void DayJobs::add_scans(const Files& inputs, const std::string& day) {
-    auto sentence = std::make_shared<QString>();
-    workspace_.edit(
-        tr("Adding scans"),
-        [inputs, day, sentence](app::Project& project, Progress& progress) {
-            app::AddScansOptions options;
-            options.day = day;
-            const app::AddScansReport report = app::add_scans(project, inputs, options, progress);
-            *sentence = DayJobs::tr("%1 scans added, %2 there already")
-                            .arg(report.added.size())
-                            .arg(report.there_already.size());
-        },
-        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
-}
-
-void DayJobs::import_outlines(const Files& files) {
-    auto sentence = std::make_shared<QString>();
-    workspace_.edit(
-        tr("Taking outlines in"),
-        [files, sentence](app::Project& project, Progress& progress) {
-            app::RegionImportOptions options;
-            options.create_units = true;
-            const auto report = app::import_outline_files(project, files, options, progress);
-            *sentence = DayJobs::tr("%1 new outlines, %2 refused").arg(report.fresh.size()).arg(report.refused.size());
-        },
-        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
-}
-
-void DayJobs::import_survey(const Files& files) {
-    auto sentence = std::make_shared<QString>();
-    workspace_.edit(
-        tr("Taking measured points in"),
-        [files, sentence](app::Project& project, Progress&) {
-            const app::SurveyReport report = app::import_survey(project, files, {});
-            *sentence = DayJobs::tr("%1 points: %2 new levels, %3 new finds")
-                            .arg(report.points)
-                            .arg(report.new_levels)
-                            .arg(report.new_finds);
-        },
-        [this, sentence] { emit done(*sentence); }, Job::Kind::Asked);
-}
-
-void DayJobs::import_markers(const std::filesystem::path& file) {
-    auto sentence = std::make_shared<QString>();
-    workspace_.edit(
-        tr("Taking markers in"),
-        [file, sentence](app::Project& project, Progress&) {
-            const app::MarkerImport report = app::import_markers(project, file, {});
-            *sentence = DayJobs::tr("%1 markers added, %2 as they were").arg(report.added).arg(report.same);
+    workspace_.work(
+        title,
+        [work = std::move(work), sentence](app::Project& project, Progress& progress) {
+            *sentence = work(project, progress);
         },
         [this, sentence] { emit done(*sentence); });
 }
 
+void DayJobs::import(const Files& files, bool update) {
+    run(tr("Importing"), [files, update](app::Project& project, Progress& progress) {
+        app::ImportOptions options;
+        options.update = update;
+        const app::ImportReport report = app::import_files(project, files, options, progress);
+        return report.changed
+                   ? tr("imported: %1 new units, %2 new relations").arg(report.new_units).arg(report.new_relations)
+                   : tr("nothing in the files is new");
+    });
+}
+
+void DayJobs::add_scans(const Files& inputs, const std::string& day) {
+    run(tr("Adding scans"), [inputs, day](app::Project& project, Progress& progress) {
+        app::AddScansOptions options;
+        options.day = day;
+        const app::AddScansReport report = app::add_scans(project, inputs, options, progress);
+        return tr("%1 scans added, %2 there already").arg(report.added.size()).arg(report.there_already.size());
+    });
+}
+
+void DayJobs::import_outlines(const Files& files) {
+    run(tr("Taking outlines in"), [files](app::Project& project, Progress& progress) {
+        app::RegionImportOptions options;
+        options.create_units = true;
+        const auto report = app::import_outline_files(project, files, options, progress);
+        return tr("%1 new outlines, %2 refused").arg(report.fresh.size()).arg(report.refused.size());
+    });
+}
+
+void DayJobs::import_survey(const Files& files) {
+    run(tr("Taking measured points in"), [files](app::Project& project, Progress&) {
+        const app::SurveyReport report = app::import_survey(project, files, {});
+        return tr("%1 points: %2 new levels, %3 new finds")
+            .arg(report.points)
+            .arg(report.new_levels)
+            .arg(report.new_finds);
+    });
+}
+
+void DayJobs::import_markers(const std::filesystem::path& file) {
+    run(tr("Taking markers in"), [file](app::Project& project, Progress&) {
+        const app::MarkerImport report = app::import_markers(project, file, {});
+        return tr("%1 markers added, %2 as they were").arg(report.added).arg(report.same);
+    });
+}
+
+// Places are worked out on a connection that only reads; the run is written by the thread that holds the file, which
+// knows what was changed meanwhile.
 void DayJobs::register_scans(const std::string& day) {
-    auto lines = std::make_shared<QStringList>();
-    workspace_.edit(
-        tr("Registering scans"),
-        [day, lines](app::Project& project, Progress& progress) {
+    if (!workspace_.read_only_because().isEmpty()) {
+        workspace_.say(tr("Nothing was changed: %1.").arg(workspace_.read_only_because()));
+        return;
+    }
+    workspace_.read(
+        QStringLiteral("registration"), tr("Registering scans"),
+        [this, day](app::Project& project, Progress& progress) -> JobRunner::Done {
             app::RegisterOptions options;
             options.day = day;
-            const app::RegistrationReport report = app::register_scans(project, options, progress);
-            for (const app::ReportedScan& scan : report.scans) {
-                *lines << (scan.status == "registered"
-                               ? DayJobs::tr("%1: placed, position within %2 mm. %3")
-                                     .arg(qt(scan.scan))
-                                     .arg(1000.0 * scan.sigma_position, 0, 'f', 1)
-                                     .arg(qt(scan.verdict))
-                               : DayJobs::tr("%1: not placed. %2").arg(qt(scan.scan), qt(scan.verdict)));
-            }
-            for (const std::string& note : report.notes) *lines << qt(note);
+            auto report =
+                std::make_shared<app::RegistrationReport>(app::compute_registration(project, options, progress));
+            return [this, report] { keep_registration(report); };
         },
-        [this, lines] { emit registered(*lines); }, Job::Kind::Asked);
+        {}, Job::Kind::Asked);
+}
+
+void DayJobs::keep_registration(const std::shared_ptr<app::RegistrationReport>& report) {
+    if (report->scans.empty()) {
+        emit registered(in_words(*report));
+        return;
+    }
+    workspace_.edit(
+        tr("Keeping the places of the scans"),
+        [report](app::Project& project, Progress&) { app::keep_run(project, *report, app::Acceptance::WhenGood); },
+        [this, report] { emit registered(in_words(*report)); });
 }
 
 void DayJobs::backup(const std::filesystem::path& target) {

@@ -7,10 +7,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "gui/viewmodels/workspace.hpp"
+
+namespace planum::app {
+struct RegistrationReport;
+}
 
 namespace planum::gui {
 
@@ -58,6 +63,13 @@ class DayJobs : public QObject {
     void done(const QString& sentence);
 
   private:
+    /// What was done, in one sentence.
+    using Said = std::function<QString(app::Project&, Progress&)>;
+
+    /// One long job of the day, beside the window; what it says comes with done().
+    void run(const QString& title, Said work);
+    void keep_registration(const std::shared_ptr<app::RegistrationReport>& report);
+
     Workspace& workspace_;
 };
 

@@ -18,6 +18,7 @@ namespace planum::gui {
 namespace {
 
 const QString kRecordLane = QStringLiteral("record");
+const QString kWorkLane = QStringLiteral("work");
 constexpr int kLookAfter = 400; // [ms] after the file system spoke
 
 } // namespace
@@ -112,12 +113,14 @@ void Workspace::take(SnapshotPtr snapshot) {
     if (!selected_.is_nil() && snapshot_->index().find(selected_) == model::kNoUnit) select({});
 }
 
+bool Workspace::may_write() {
+    if (!is_open()) return false;
+    if (!read_only_because_.isEmpty()) emit failed(tr("Nothing was changed: %1.").arg(read_only_because_));
+    return read_only_because_.isEmpty();
+}
+
 void Workspace::edit(const QString& title, Edit work, std::function<void()> done, Job::Kind kind) {
-    if (!is_open()) return;
-    if (!read_only_because_.isEmpty()) {
-        emit failed(tr("Nothing was changed: %1.").arg(read_only_because_));
-        return;
-    }
+    if (!may_write()) return;
     auto in_thread = [this, holder = holder_, work = std::move(work),
                       done = std::move(done)](Progress& progress) -> JobRunner::Done {
         work(*holder->project, progress);
@@ -132,7 +135,25 @@ void Workspace::edit(const QString& title, Edit work, std::function<void()> done
                 [this](const QString& sentence) { emit failed(sentence); });
 }
 
-void Workspace::read(const QString& lane, const QString& title, Reading work, JobRunner::Failed failed_call) {
+void Workspace::work(const QString& title, Edit work, std::function<void()> done) {
+    if (!may_write()) return;
+    auto in_thread = [this, holder = holder_, path = file_, session = session_, work = std::move(work),
+                      done = std::move(done)](Progress& progress) -> JobRunner::Done {
+        {
+            app::Project project = app::Project::open(path, store::OpenMode::ReadWrite, session);
+            progress.check();
+            work(project, progress);
+        }
+        return [this, holder, done] {
+            if (holder == holder_) read_again(Reread::Always, done);
+        };
+    };
+    jobs_.start(kWorkLane, JobRunner::Queueing::InOrder, title, Job::Kind::Asked, std::move(in_thread),
+                [this](const QString& sentence) { emit failed(sentence); });
+}
+
+void Workspace::read(const QString& lane, const QString& title, Reading work, JobRunner::Failed failed_call,
+                     Job::Kind kind) {
     if (!is_open()) return;
     auto in_thread = [path = file_, session = session_, work = std::move(work)](Progress& progress) -> JobRunner::Done {
         app::Project project = app::Project::open(path, store::OpenMode::ReadOnly, session);
@@ -140,8 +161,7 @@ void Workspace::read(const QString& lane, const QString& title, Reading work, Jo
         return work(project, progress);
     };
     if (!failed_call) failed_call = [this](const QString& sentence) { emit failed(sentence); };
-    jobs_.start(lane, JobRunner::Queueing::Newest, title, Job::Kind::Quiet, std::move(in_thread),
-                std::move(failed_call));
+    jobs_.start(lane, JobRunner::Queueing::Newest, title, kind, std::move(in_thread), std::move(failed_call));
 }
 
 void Workspace::undo() {
@@ -197,16 +217,22 @@ void Workspace::look_at_file() {
         return;
     }
     if (watcher_->files().isEmpty()) watcher_->addPath(qt(file_.string()));
-    auto work = [this, holder = holder_, path = file_, session = session_](Progress&) -> JobRunner::Done {
+    read_again(Reread::WhenOlder,
+               [this] { emit noted(tr("Another program changed the project; it was read again.")); });
+}
+
+void Workspace::read_again(Reread when, std::function<void()> done) {
+    auto work = [this, when, holder = holder_, path = file_, session = session_,
+                 done = std::move(done)](Progress&) -> JobRunner::Done {
         std::error_code ignored;
         const auto now = std::filesystem::last_write_time(path, ignored);
-        if (now == holder->seen) return {};
+        if (when == Reread::WhenOlder && now == holder->seen) return {};
         holder->project.emplace(app::Project::open(path, holder->mode, session));
         holder->note_time();
-        return [this, holder, snapshot = app::take_snapshot(*holder->project)]() mutable {
+        return [this, holder, done, snapshot = app::take_snapshot(*holder->project)]() mutable {
             if (holder != holder_) return;
             take(std::move(snapshot));
-            emit noted(tr("Another program changed the project; it was read again."));
+            if (done) done();
         };
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, tr("Reading the project again"), Job::Kind::Quiet,

@@ -62,7 +62,11 @@ class Workspace : public QObject {
     /// Runs in the thread that holds the file. `done` runs here afterwards, with the new snapshot in place.
     void edit(const QString& title, Edit work, std::function<void()> done = {}, Job::Kind kind = Job::Kind::Quiet);
     /// Runs beside it, on a connection of its own. Of one lane only the newest reading counts.
-    void read(const QString& lane, const QString& title, Reading work, JobRunner::Failed failed = {});
+    void read(const QString& lane, const QString& title, Reading work, JobRunner::Failed failed = {},
+              Job::Kind kind = Job::Kind::Quiet);
+    /// For what takes minutes and writes in one transaction at its end: runs beside the thread that holds the file, on
+    /// a writing connection of its own, so that edits go on meanwhile; one such work after the other.
+    void work(const QString& title, Edit work, std::function<void()> done = {});
 
     void undo();
     void redo();
@@ -98,6 +102,9 @@ class Workspace : public QObject {
     void take(SnapshotPtr snapshot);
     void watch();
     void look_at_file();
+    [[nodiscard]] bool may_write();
+    enum class Reread { WhenOlder, Always };
+    void read_again(Reread when, std::function<void()> done);
 
     app::Session session_;
     std::shared_ptr<Holder> holder_;
