@@ -2,11 +2,7 @@
 #include "gui/widgets/panorama/panorama_view.hpp"
 
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -77,8 +73,7 @@ void PanoramaCanvas::paint_over(QPainter&) {}
 PanoramaView::PanoramaView(Models& models)
     : models_(models), panorama_(models.workspace, models.time), canvas_(new PanoramaCanvas(models, panorama_)),
       bar_(new OutlineBar(models, kPanorama)), scan_(new QComboBox), projection_(new QComboBox),
-      channel_(new QComboBox), place_(new QLabel) {
-    setObjectName(kPanorama);
+      channel_(new QComboBox) {
     scan_->setAccessibleName(tr("Scan"));
     scan_->setObjectName(QStringLiteral("panoramaScan"));
     scan_->setMinimumWidth(180);
@@ -97,28 +92,12 @@ PanoramaView::PanoramaView(Models& models)
     connect(projection_, &QComboBox::textActivated, &panorama_, &PanoramaModel::set_projection);
     connect(channel_, &QComboBox::activated, this,
             [this] { panorama_.set_channel(channel_->currentData().toString()); });
-    place_->setProperty("role", "faint");
-    place_->setMinimumWidth(230);
-    auto* fit = new QToolButton;
-    fit->setText(tr("Fit"));
-    connect(fit, &QToolButton::clicked, canvas_, &FlatCanvas::fit);
-    auto* choices = new QHBoxLayout;
-    choices->setContentsMargins(8, 6, 8, 0);
-    for (QWidget* box : std::initializer_list<QWidget*>{scan_, projection_, channel_}) choices->addWidget(box);
-    choices->addStretch(1);
-    choices->addWidget(place_);
-    choices->addWidget(fit);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(choices);
-    column->addWidget(bar_);
-    column->addWidget(canvas_, 1);
-    setFocusProxy(canvas_);
-    connect(canvas_, &FlatCanvas::hovered, this, [this](QPointF p) { place_->setText(panorama_.place_text(p)); });
+    lay_out(kPanorama, canvas_, bar_, {scan_, projection_, channel_});
     connect(&panorama_, &PanoramaModel::changed, this, &PanoramaView::refresh);
     refresh();
 }
+
+QString PanoramaView::words_for(QPointF place) const { return panorama_.place_text(place); }
 
 void PanoramaView::refresh() {
     const QStringList names = panorama_.scans();

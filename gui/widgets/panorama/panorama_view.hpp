@@ -2,15 +2,14 @@
 #pragma once
 
 #include <QImage>
-#include <QWidget>
 
 #include <vector>
 
 #include "gui/viewmodels/panorama_model.hpp"
 #include "gui/widgets/flat/flat_canvas.hpp"
+#include "gui/widgets/flat/flat_page.hpp"
 
 class QComboBox;
-class QLabel;
 
 namespace planum::gui {
 
@@ -37,13 +36,14 @@ class PanoramaCanvas : public FlatCanvas {
     std::vector<QImage> halves_; ///< full size first
 };
 
-class PanoramaView : public QWidget {
+class PanoramaView : public FlatPage {
     Q_OBJECT
 
   public:
     explicit PanoramaView(Models& models);
 
   protected:
+    [[nodiscard]] QString words_for(QPointF place) const override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -57,7 +57,6 @@ class PanoramaView : public QWidget {
     QComboBox* scan_;
     QComboBox* projection_;
     QComboBox* channel_;
-    QLabel* place_;
     const LoadedPanorama* ground_of_ = nullptr; ///< whose ground the outline bar has
 };
 

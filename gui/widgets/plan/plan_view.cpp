@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gui/widgets/plan/plan_view.hpp"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -160,31 +156,16 @@ void PlanCanvas::paint_over(QPainter& painter) {
 }
 
 PlanView::PlanView(Models& models)
-    : models_(models), canvas_(new PlanCanvas(models)), bar_(new OutlineBar(models, kPlan)), place_(new QLabel) {
-    setObjectName(kPlan);
-    place_->setProperty("role", "faint");
-    place_->setMinimumWidth(190);
-    auto* fit = new QToolButton;
-    fit->setText(tr("Fit"));
-    connect(fit, &QToolButton::clicked, canvas_, &FlatCanvas::fit);
-    auto* top = new QHBoxLayout;
-    top->setContentsMargins(0, 0, 8, 0);
-    top->addWidget(bar_, 1);
-    top->addWidget(place_);
-    top->addWidget(fit);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(top);
-    column->addWidget(canvas_, 1);
-    setFocusProxy(canvas_);
-    connect(canvas_, &FlatCanvas::hovered, this, [this](QPointF p) {
-        place_->setText(QStringLiteral("x %1  y %2").arg(p.x(), 0, 'f', 2).arg(p.y(), 0, 'f', 2));
-    });
+    : models_(models), canvas_(new PlanCanvas(models)), bar_(new OutlineBar(models, kPlan)) {
+    lay_out(kPlan, canvas_, bar_);
     connect(&models_.time, &TimeModel::moved, this, &PlanView::refresh);
     connect(&models_.time, &TimeModel::changed, this, &PlanView::refresh);
     connect(&models_.workspace, &Workspace::selectionChanged, canvas_, &PlanCanvas::refresh);
     refresh();
+}
+
+QString PlanView::words_for(QPointF place) const {
+    return QStringLiteral("x %1  y %2").arg(place.x(), 0, 'f', 2).arg(place.y(), 0, 'f', 2);
 }
 
 void PlanView::refresh() {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QWidget>
-
 #include "gui/widgets/flat/flat_canvas.hpp"
-
-class QLabel;
+#include "gui/widgets/flat/flat_page.hpp"
 
 namespace planum::gui {
 
@@ -50,11 +47,14 @@ class PlanCanvas : public FlatCanvas {
     std::vector<SectionLine> sections_;
 };
 
-class PlanView : public QWidget {
+class PlanView : public FlatPage {
     Q_OBJECT
 
   public:
     explicit PlanView(Models& models);
+
+  protected:
+    [[nodiscard]] QString words_for(QPointF place) const override;
 
   private:
     void refresh();
@@ -62,7 +62,6 @@ class PlanView : public QWidget {
     Models& models_;
     PlanCanvas* canvas_;
     OutlineBar* bar_;
-    QLabel* place_;
 };
 
 } // namespace planum::gui

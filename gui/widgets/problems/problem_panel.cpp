@@ -17,6 +17,7 @@
 
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/signs.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -163,23 +164,23 @@ void ProblemPanel::show_summary() {
 }
 
 void ProblemPanel::add_suspect(QVBoxLayout* column, std::size_t at, const SuspectLine& suspect) {
-    auto* head = new QHBoxLayout;
     auto* sentence =
         label(suspect.percent > 0 ? tr("%1   (%2 %)").arg(suspect.sentence).arg(suspect.percent) : suspect.sentence);
     QFont bold = sentence->font();
     bold.setWeight(QFont::DemiBold);
     sentence->setFont(bold);
-    head->addWidget(sentence, 1);
+    column->addWidget(sentence);
+    for (const QString& why : suspect.reasons) column->addWidget(label(QStringLiteral("– ") + why, "faint"));
+    auto* buttons = new FlowLayout(6);
     const bool writable = models_.workspace.read_only_because().isEmpty();
     for (const ProblemAction action : suspect.actions) {
         auto* button = new QPushButton(action_word(action));
         button->setEnabled(writable);
         button->setObjectName(QStringLiteral("suspect%1action%2").arg(at).arg(static_cast<int>(action)));
         connect(button, &QPushButton::clicked, this, [this, at, action] { act(at, action); });
-        head->addWidget(button);
+        buttons->addWidget(button);
     }
-    column->addLayout(head);
-    for (const QString& why : suspect.reasons) column->addWidget(label(QStringLiteral("– ") + why, "faint"));
+    column->addLayout(buttons);
 }
 
 void ProblemPanel::show_detail() {

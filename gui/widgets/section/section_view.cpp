@@ -2,11 +2,7 @@
 #include "gui/widgets/section/section_view.hpp"
 
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -69,33 +65,18 @@ void SectionCanvas::paint_over(QPainter& painter) {
 
 SectionView::SectionView(Models& models)
     : models_(models), choice_(new QComboBox), canvas_(new SectionCanvas(models)),
-      bar_(new OutlineBar(models, kSection)), place_(new QLabel) {
-    setObjectName(kSection);
+      bar_(new OutlineBar(models, kSection)) {
+    lay_out(kSection, canvas_, bar_, {choice_});
     choice_->setAccessibleName(tr("Section"));
     choice_->setMinimumWidth(140);
-    place_->setProperty("role", "faint");
-    auto* fit = new QToolButton;
-    fit->setText(tr("Fit"));
-    connect(fit, &QToolButton::clicked, canvas_, &FlatCanvas::fit);
-    auto* top = new QHBoxLayout;
-    top->setContentsMargins(8, 0, 8, 0);
-    top->addWidget(choice_);
-    top->addWidget(bar_, 1);
-    top->addWidget(place_);
-    top->addWidget(fit);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(top);
-    column->addWidget(canvas_, 1);
-    setFocusProxy(canvas_);
     connect(choice_, &QComboBox::activated, this, &SectionView::show_chosen);
-    connect(canvas_, &FlatCanvas::hovered, this, [this](QPointF p) {
-        place_->setText(tr("%1 m along, height %2 m").arg(p.x(), 0, 'f', 2).arg(p.y(), 0, 'f', 2));
-    });
     connect(&models_.workspace, &Workspace::snapshotChanged, this, &SectionView::refresh);
     connect(&models_.workspace, &Workspace::closed, this, &SectionView::refresh);
     refresh();
+}
+
+QString SectionView::words_for(QPointF place) const {
+    return tr("%1 m along, height %2 m").arg(place.x(), 0, 'f', 2).arg(place.y(), 0, 'f', 2);
 }
 
 void SectionView::refresh() {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QWidget>
-
 #include <optional>
 
 #include "core/model/place.hpp"
 #include "gui/widgets/flat/flat_canvas.hpp"
+#include "gui/widgets/flat/flat_page.hpp"
 
 class QComboBox;
-class QLabel;
 
 namespace planum::gui {
 
@@ -37,11 +35,14 @@ class SectionCanvas : public FlatCanvas {
     double length_ = 0.0; ///< [m]
 };
 
-class SectionView : public QWidget {
+class SectionView : public FlatPage {
     Q_OBJECT
 
   public:
     explicit SectionView(Models& models);
+
+  protected:
+    [[nodiscard]] QString words_for(QPointF place) const override;
 
   private:
     void refresh();
@@ -51,7 +52,6 @@ class SectionView : public QWidget {
     QComboBox* choice_;
     SectionCanvas* canvas_;
     OutlineBar* bar_;
-    QLabel* place_;
 };
 
 } // namespace planum::gui
