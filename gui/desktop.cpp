@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "core/base/error.hpp"
+#include "gui/widgets/language.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/window/main_window.hpp"
 #include "gui/widgets/window/screenshot.hpp"
@@ -25,6 +26,7 @@ struct Arguments {
     QString site;
     ScreenshotRequest screenshot;
     ThemeKind theme = ThemeKind::Light;
+    QString language; ///< `de`; empty: as chosen in the window, else the system's
     bool read_only = false;
     bool help = false;
     bool version = false;
@@ -51,14 +53,20 @@ Arguments read_arguments(const QStringList& given) {
                                   QStringLiteral("SIZE"), QStringLiteral("1600x1000"));
     const QCommandLineOption theme_option(QStringLiteral("theme"), QStringLiteral("light, dark or sunlight."),
                                           QStringLiteral("THEME"), QStringLiteral("light"));
+    const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("en, de, it or fr."),
+                                      QStringLiteral("LANGUAGE"));
     const QCommandLineOption read_only(QStringLiteral("read-only"), QStringLiteral("Change nothing."));
-    parser.addOptions({help, version, shot, output, unit, size, theme_option, read_only});
+    parser.addOptions({help, version, shot, output, unit, size, theme_option, language, read_only});
     if (!parser.parse(given)) throw Error(ErrorCode::Usage, parser.errorText().toStdString());
     Arguments arguments;
     arguments.help = parser.isSet(help);
     arguments.version = parser.isSet(version);
     arguments.help_text = parser.helpText();
     arguments.read_only = parser.isSet(read_only);
+    arguments.language = parser.value(language);
+    if (parser.isSet(language) && !languages().contains(arguments.language)) {
+        throw Error(ErrorCode::Usage, "language: " + arguments.language.toStdString() + " is none of en, de, it, fr");
+    }
     arguments.theme = theme_from_word(parser.value(theme_option));
     if (to_word(arguments.theme) != parser.value(theme_option)) {
         throw Error(ErrorCode::Usage,
@@ -117,6 +125,7 @@ int run_desktop(int argc, char** argv) {
         QApplication::setApplicationName(QStringLiteral("Planum"));
         QApplication::setOrganizationName(QStringLiteral("Planum"));
         apply_theme(arguments.theme);
+        apply_language(arguments.language);
         if (picture) return take_screenshot(arguments);
         MainWindow window;
         if (!arguments.site.isEmpty()) {

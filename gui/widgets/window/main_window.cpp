@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/language.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/time/time_line.hpp"
 #include "gui/widgets/view.hpp"
@@ -107,6 +108,22 @@ void MainWindow::make_views() {
     resizeDocks({docks_.at("problems")}, {350}, Qt::Vertical);
 }
 
+// Every word of the window would have to be set again, so what is chosen holds from the next start on.
+void MainWindow::fill_languages(QMenu& menu) {
+    for (const QString& code : languages()) {
+        QAction* choice = menu.addAction(language_name(code));
+        choice->setObjectName(QStringLiteral("language_") + code);
+        choice->setCheckable(true);
+        choice->setChecked(code == chosen_language());
+        connect(choice, &QAction::triggered, this, [this, code, &menu] {
+            choose_language(code);
+            for (QAction* other : menu.actions())
+                other->setChecked(other->objectName() == QStringLiteral("language_") + code);
+            statusBar()->showMessage(tr("%1 from the next start on").arg(language_name(code)), 10000);
+        });
+    }
+}
+
 QAction* MainWindow::action(const char* name, const QString& text, const QKeySequence& keys) {
     auto* made = new QAction(text, this);
     made->setObjectName(QString::fromLatin1(name));
@@ -149,6 +166,7 @@ void MainWindow::make_actions() {
                                      std::pair{ThemeKind::Sunlight, tr("Sunlight")}}) {
         looks->addAction(text, this, [kind = kind] { apply_theme(kind); });
     }
+    fill_languages(*menuBar()->addMenu(tr("Language")));
     QAction* keys = action("shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1));
     connect(keys, &QAction::triggered, this, [this] { show_shortcuts(*this); });
     menuBar()->addMenu(tr("Help"))->addAction(keys);

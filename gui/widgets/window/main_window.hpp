@@ -13,6 +13,7 @@
 class QAction;
 class QDockWidget;
 class QLabel;
+class QMenu;
 class QTabWidget;
 
 namespace planum::gui {
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
     void make_views();
     void make_actions();
     void make_status();
+    void fill_languages(QMenu& menu);
     void refresh();
     void ask_for_project(store::OpenMode mode);
     void make_project();

@@ -1,0 +1,22 @@
+# The window's languages: gui/translations/planum_XX.ts, released and put into the program. Without Qt's lrelease
+# (Debian: qt6-l10n-tools) the program is built all the same and speaks English.
+find_program(PLANUM_LRELEASE lrelease HINTS /usr/lib/qt6/bin ${QT6_INSTALL_PREFIX}/${QT6_INSTALL_BINS})
+
+function(planum_add_translations TARGET)
+  if(NOT PLANUM_LRELEASE)
+    message(STATUS "lrelease not found (qt6-l10n-tools): ${TARGET} speaks English only")
+    return()
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gui/translations/*.ts)
+  set(folder ${PROJECT_BINARY_DIR}/generated/translations)
+  file(MAKE_DIRECTORY ${folder})
+  set(released)
+  foreach(source IN LISTS sources)
+    get_filename_component(name ${source} NAME_WE)
+    add_custom_command(OUTPUT ${folder}/${name}.qm
+      COMMAND ${PLANUM_LRELEASE} -silent -nounfinished ${source} -qm ${folder}/${name}.qm
+      DEPENDS ${source} VERBATIM)
+    list(APPEND released ${folder}/${name}.qm)
+  endforeach()
+  qt_add_resources(${TARGET} planum_translations PREFIX /translations BASE ${folder} FILES ${released})
+endfunction()

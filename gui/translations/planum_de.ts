@@ -1,0 +1,1913 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>card</name>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Fundplatz</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Formation</source>
+        <translation>Entstehung</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Preservation</source>
+        <translation>Erhaltung</translation>
+    </message>
+    <message>
+        <source>Masonry</source>
+        <translation>Mauerwerk</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>Skeleton</source>
+        <translation>Skelett</translation>
+    </message>
+    <message>
+        <source>Excavation</source>
+        <translation>Ausgrabung</translation>
+    </message>
+    <message>
+        <source>Assessment</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Unterschriften</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Anderes</translation>
+    </message>
+    <message>
+        <source>Short definition</source>
+        <translation>Kurzansprache</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Interpretation</source>
+        <translation>Deutung</translation>
+    </message>
+    <message>
+        <source>Trench</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Dug away on</source>
+        <translation>Abgegraben am</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Aufgenommen von</translation>
+    </message>
+    <message>
+        <source>Recorded on</source>
+        <translation>Aufgenommen am</translation>
+    </message>
+    <message>
+        <source>Digging began on</source>
+        <translation>Begonnen am</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>Part of feature</source>
+        <translation>Teil des Komplexes</translation>
+    </message>
+    <message>
+        <source>Dates and phases</source>
+        <translation>Datierung und Phasen</translation>
+    </message>
+</context>
+<context>
+    <name>export</name>
+    <message>
+        <source>wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>not carried: %1</source>
+        <translation>nicht übernommen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::CardPanel</name>
+    <message>
+        <source>Full record</source>
+        <translation>Ganzer Bogen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select a unit in the list, the matrix or a problem, or add a new one.</source>
+        <translation>Einen Befund in der Liste, der Matrix oder einem Problem wählen oder einen neuen anlegen.</translation>
+    </message>
+    <message>
+        <source>Number of a new unit</source>
+        <translation>Nummer eines neuen Befunds</translation>
+    </message>
+    <message>
+        <source>Add unit</source>
+        <translation>Befund anlegen</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Relation: number, kind, number, Enter</source>
+        <translation>Beziehung: Nummer, Art, Nummer, Eingabe</translation>
+    </message>
+    <message>
+        <source>First fields</source>
+        <translation>Erste Felder</translation>
+    </message>
+    <message>
+        <source>new unit: %1</source>
+        <translation>neuer Befund: %1</translation>
+    </message>
+    <message>
+        <source>Unit %1</source>
+        <translation>Befund %1</translation>
+    </message>
+    <message>
+        <source>Relations</source>
+        <translation>Beziehungen</translation>
+    </message>
+    <message>
+        <source>none recorded</source>
+        <translation>keine aufgenommen</translation>
+    </message>
+    <message>
+        <source>Levels, finds, papers</source>
+        <translation>Höhen, Funde, Unterlagen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::DayJobs</name>
+    <message>
+        <source>%1: read as %2</source>
+        <translation>%1: gelesen als %2</translation>
+    </message>
+    <message>
+        <source>%1 new units</source>
+        <translation>%1 neue Befunde</translation>
+    </message>
+    <message>
+        <source>%1 of them only mentioned</source>
+        <translation>davon %1 nur erwähnt</translation>
+    </message>
+    <message>
+        <source>%1 units with fields filled</source>
+        <translation>%1 Befunde mit ergänzten Feldern</translation>
+    </message>
+    <message>
+        <source>%1 new relations</source>
+        <translation>%1 neue Beziehungen</translation>
+    </message>
+    <message>
+        <source>%1 new statements</source>
+        <translation>%1 neue Angaben</translation>
+    </message>
+    <message>
+        <source>%1 new levels, finds, phases and others</source>
+        <translation>%1 neue Höhen, Funde, Phasen und anderes</translation>
+    </message>
+    <message>
+        <source>%1, %2: “%3” stands, the file says “%4”</source>
+        <translation>%1, %2: „%3“ steht da, die Datei sagt „%4“</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: placed, position within %2 mm. %3</source>
+        <translation>%1: eingepasst, Lage auf %2 mm. %3</translation>
+    </message>
+    <message>
+        <source>%1: not placed. %2</source>
+        <translation>%1: nicht eingepasst. %2</translation>
+    </message>
+    <message>
+        <source>Reading what would be imported</source>
+        <translation>Lesen, was importiert würde</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>imported: %1 new units, %2 new relations</source>
+        <translation>importiert: %1 neue Befunde, %2 neue Beziehungen</translation>
+    </message>
+    <message>
+        <source>nothing in the files is new</source>
+        <translation>in den Dateien ist nichts neu</translation>
+    </message>
+    <message>
+        <source>Adding scans</source>
+        <translation>Scans aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 scans added, %2 there already</source>
+        <translation>%1 Scans aufgenommen, %2 schon vorhanden</translation>
+    </message>
+    <message>
+        <source>Taking outlines in</source>
+        <translation>Umrisse aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 new outlines, %2 refused</source>
+        <translation>%1 neue Umrisse, %2 abgelehnt</translation>
+    </message>
+    <message>
+        <source>Taking measured points in</source>
+        <translation>Messpunkte aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 points: %2 new levels, %3 new finds</source>
+        <translation>%1 Punkte: %2 neue Höhen, %3 neue Funde</translation>
+    </message>
+    <message>
+        <source>Taking markers in</source>
+        <translation>Passmarken aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 markers added, %2 as they were</source>
+        <translation>%1 Passmarken aufgenommen, %2 unverändert</translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1.</source>
+        <translation>Nichts wurde geändert: %1.</translation>
+    </message>
+    <message>
+        <source>Registering scans</source>
+        <translation>Scans einpassen</translation>
+    </message>
+    <message>
+        <source>Keeping the places of the scans</source>
+        <translation>Lage der Scans festhalten</translation>
+    </message>
+    <message>
+        <source>Making a backup</source>
+        <translation>Sicherung anlegen</translation>
+    </message>
+    <message>
+        <source>backup written to %1</source>
+        <translation>Sicherung geschrieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::FlatPage</name>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Shows the whole (F)</source>
+        <translation>Zeigt das Ganze (F)</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>%1 (taken back)</source>
+        <translation>%1 (zurückgenommen)</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ImportDialog</name>
+    <message>
+        <source>what the files say replaces what differs</source>
+        <translation>was die Dateien sagen, ersetzt Abweichendes</translation>
+    </message>
+    <message>
+        <source>reading …</source>
+        <translation>lesen …</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>This is what would change; nothing is written yet.</source>
+        <translation>Das würde sich ändern; noch ist nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing in the files is new.</source>
+        <translation>In den Dateien ist nichts neu.</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Differs; the project&apos;s is kept unless you say otherwise</source>
+        <translation>Weicht ab; es bleibt beim Stand des Projekts, wenn Sie nichts anderes wählen</translation>
+    </message>
+    <message>
+        <source>Not understood, or worth a look</source>
+        <translation>Nicht verstanden oder einen Blick wert</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::JobSign</name>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>stopping …</source>
+        <translation>hält an …</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MainWindow</name>
+    <message>
+        <source>recorded: %1</source>
+        <translation>aufgenommen: %1</translation>
+    </message>
+    <message>
+        <source>New project …</source>
+        <translation>Neues Projekt …</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open for reading only …</source>
+        <translation>Nur zum Lesen öffnen …</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Find a unit</source>
+        <translation>Befund suchen</translation>
+    </message>
+    <message>
+        <source>Add a relation</source>
+        <translation>Beziehung eintragen</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Sunlight</source>
+        <translation>Sonnenlicht</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>no project open</source>
+        <translation>kein Projekt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1: %2 units, %3 relations</source>
+        <translation>%1: %2 Befunde, %3 Beziehungen</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Planum projects (*.gpkg);;All files (*)</source>
+        <translation>Planum-Projekte (*.gpkg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Planum projects (*.gpkg)</source>
+        <translation>Planum-Projekte (*.gpkg)</translation>
+    </message>
+    <message>
+        <source>%1 from the next start on</source>
+        <translation>%1 ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MatrixCanvas</name>
+    <message>
+        <source>Drawing of the matrix</source>
+        <translation>Zeichnung der Matrix</translation>
+    </message>
+    <message>
+        <source>No drawing yet.</source>
+        <translation>Noch keine Zeichnung.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MatrixModel</name>
+    <message>
+        <source>Drawing the matrix</source>
+        <translation>Matrix zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MatrixView</name>
+    <message>
+        <source>%1 boxes, %2 lines</source>
+        <translation>%1 Kästen, %2 Linien</translation>
+    </message>
+    <message>
+        <source>Part of the matrix</source>
+        <translation>Ausschnitt der Matrix</translation>
+    </message>
+    <message>
+        <source>whole site</source>
+        <translation>ganze Grabung</translation>
+    </message>
+    <message>
+        <source>around the selected unit</source>
+        <translation>um den gewählten Befund</translation>
+    </message>
+    <message>
+        <source>only what problems are about</source>
+        <translation>nur was Probleme betrifft</translation>
+    </message>
+    <message>
+        <source>what changed since yesterday</source>
+        <translation>was sich seit gestern geändert hat</translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation>Zusammengefasst</translation>
+    </message>
+    <message>
+        <source>not folded</source>
+        <translation>nicht zusammengefasst</translation>
+    </message>
+    <message>
+        <source>phases folded</source>
+        <translation>nach Phasen</translation>
+    </message>
+    <message>
+        <source>periods folded</source>
+        <translation>nach Perioden</translation>
+    </message>
+    <message>
+        <source>groups folded</source>
+        <translation>nach Gruppen</translation>
+    </message>
+    <message>
+        <source>Titles</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Short definitions below the numbers</source>
+        <translation>Kurzansprachen unter den Nummern</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>The whole drawing (F)</source>
+        <translation>Die ganze Zeichnung (F)</translation>
+    </message>
+    <message>
+        <source>   – closes a circle</source>
+        <translation>   – schließt einen Kreis</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::NoticeBar</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::OutlineBar</name>
+    <message>
+        <source>Draw an outline</source>
+        <translation>Umriss zeichnen</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Unit of the outline</source>
+        <translation>Befund des Umrisses</translation>
+    </message>
+    <message>
+        <source>What the outline encloses</source>
+        <translation>Was der Umriss umschließt</translation>
+    </message>
+    <message>
+        <source>What the outline shows of it</source>
+        <translation>Was der Umriss davon zeigt</translation>
+    </message>
+    <message>
+        <source>shows: by kind</source>
+        <translation>zeigt: nach Art</translation>
+    </message>
+    <message>
+        <source>Corner back</source>
+        <translation>Ecke zurück</translation>
+    </message>
+    <message>
+        <source>Takes the last corner back (Backspace, Ctrl+Z); brings a cancelled outline back</source>
+        <translation>Nimmt die letzte Ecke zurück (Rücktaste, Strg+Z); holt einen abgebrochenen Umriss wieder</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Closes the outline (Enter, or a click on the first corner)</source>
+        <translation>Schließt den Umriss (Eingabe oder Klick auf die erste Ecke)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Esc; can be taken back</source>
+        <translation>Esc; kann zurückgenommen werden</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::OutlineTool</name>
+    <message>
+        <source>Near it: %1.</source>
+        <translation>Ähnlich: %1.</translation>
+    </message>
+    <message>
+        <source>No unit %1 yet; it will be made.</source>
+        <translation>Befund %1 gibt es noch nicht; er wird angelegt.</translation>
+    </message>
+    <message>
+        <source>Draw an outline</source>
+        <translation>Umriss zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PanoramaCanvas</name>
+    <message>
+        <source>Panorama</source>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <source>unrolling the scan …</source>
+        <translation>Scan wird abgerollt …</translation>
+    </message>
+    <message>
+        <source>No scan of this surface yet. Add scans from the project menu, or drop files on the window.</source>
+        <translation>Noch kein Scan dieser Fläche. Scans über das Menü Projekt aufnehmen oder Dateien auf das Fenster ziehen.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PanoramaModel</name>
+    <message>
+        <source>Unrolling %1</source>
+        <translation>%1 abrollen</translation>
+    </message>
+    <message>
+        <source>nothing was measured here</source>
+        <translation>hier wurde nichts gemessen</translation>
+    </message>
+    <message>
+        <source>%1 m from the scanner</source>
+        <translation>%1 m vom Scanner</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  height %3 m</source>
+        <translation>x %1  y %2  Höhe %3 m</translation>
+    </message>
+    <message>
+        <source>This scan is not on the site grid yet: register it, then outlines can be drawn.</source>
+        <translation>Dieser Scan liegt noch nicht im Grabungsnetz: erst einpassen, dann lassen sich Umrisse zeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PanoramaView</name>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>as scanned</source>
+        <translation>wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>reflectance</source>
+        <translation>Reflektanz</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>shaded</source>
+        <translation>schattiert</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PlanCanvas</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>No outlines, finds or stations yet. Add scans, draw outlines on a panorama, or import outlines and measured points.</source>
+        <translation>Noch keine Umrisse, Funde oder Standpunkte. Scans aufnehmen, Umrisse auf einem Panorama zeichnen oder Umrisse und Messpunkte importieren.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PlanView</name>
+    <message>
+        <source>There is no surface to draw on yet.</source>
+        <translation>Es gibt noch keine Fläche, auf der man zeichnen könnte.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProblemListModel</name>
+    <message>
+        <source>number %1 in “%2”, probably %3</source>
+        <translation>Nummer %1 in „%2“, wohl %3</translation>
+    </message>
+    <message>
+        <source>unit %1, probably two</source>
+        <translation>Befund %1, wohl zwei</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Zurückziehen</translation>
+    </message>
+    <message>
+        <source>Mark uncertain</source>
+        <translation>Als unsicher kennzeichnen</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Correct the number</source>
+        <translation>Nummer berichtigen</translation>
+    </message>
+    <message>
+        <source>Split the unit</source>
+        <translation>Befund teilen</translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>nothing contradicts anything</source>
+        <translation>nichts widerspricht sich</translation>
+    </message>
+    <message>
+        <source>%1 errors, %2 warnings, %3 remarks</source>
+        <translation>%1 Fehler, %2 Warnungen, %3 Hinweise</translation>
+    </message>
+    <message>
+        <source>%1 relations state an order</source>
+        <translation>%1 Beziehungen geben eine Reihenfolge an</translation>
+    </message>
+    <message>
+        <source>%1 confirmed</source>
+        <translation>%1 bestätigt</translation>
+    </message>
+    <message>
+        <source>%1 contradicted</source>
+        <translation>%1 widersprochen</translation>
+    </message>
+    <message>
+        <source>%1 not testable: %2</source>
+        <translation>%1 nicht prüfbar: %2</translation>
+    </message>
+    <message>
+        <source>Keep a problem silent</source>
+        <translation>Problem stillstellen</translation>
+    </message>
+    <message>
+        <source>Sign the day off</source>
+        <translation>Tag abzeichnen</translation>
+    </message>
+    <message>
+        <source>  · new</source>
+        <translation>  · neu</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProblemPanel</name>
+    <message>
+        <source>Number of the new unit</source>
+        <translation>Nummer des neuen Befunds</translation>
+    </message>
+    <message>
+        <source>Reason, for those who read it in ten years</source>
+        <translation>Begründung, für die, die es in zehn Jahren lesen</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>remarks too</source>
+        <translation>auch Hinweise</translation>
+    </message>
+    <message>
+        <source>Sign the day off</source>
+        <translation>Tag abzeichnen</translation>
+    </message>
+    <message>
+        <source>What stands now is not new tomorrow; it is signed with your name.</source>
+        <translation>Was jetzt dasteht, ist morgen nicht neu; es ist mit Ihrem Namen abgezeichnet.</translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation>prüft …</translation>
+    </message>
+    <message>
+        <source>; signed off %1 by %2</source>
+        <translation>; abgezeichnet am %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1   (%2 %)</source>
+        <translation>%1   (%2 %)</translation>
+    </message>
+    <message>
+        <source>Choose a problem: its proof shows in the matrix and in every other view.</source>
+        <translation>Ein Problem wählen: sein Beleg erscheint in der Matrix und in allen anderen Ansichten.</translation>
+    </message>
+    <message>
+        <source>Known because …</source>
+        <translation>Bekannt, weil …</translation>
+    </message>
+    <message>
+        <source>What to doubt</source>
+        <translation>Woran zu zweifeln ist</translation>
+    </message>
+    <message>
+        <source>Rests on</source>
+        <translation>Beruht auf</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Keep it silent</source>
+        <translation>Stillstellen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProjectMenu</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Import lists …</source>
+        <translation>Listen importieren …</translation>
+    </message>
+    <message>
+        <source>Lists of units, relations, finds</source>
+        <translation>Listen von Befunden, Beziehungen, Funden</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Add scans …</source>
+        <translation>Scans aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Folder of a day&apos;s scans</source>
+        <translation>Ordner mit den Scans eines Tages</translation>
+    </message>
+    <message>
+        <source>Import outlines …</source>
+        <translation>Umrisse importieren …</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>Outlines (*.geojson *.json)</source>
+        <translation>Umrisse (*.geojson *.json)</translation>
+    </message>
+    <message>
+        <source>Import measured points …</source>
+        <translation>Messpunkte importieren …</translation>
+    </message>
+    <message>
+        <source>Points of the total station</source>
+        <translation>Punkte der Totalstation</translation>
+    </message>
+    <message>
+        <source>Points (*.csv *.txt *.dxf);;All files (*)</source>
+        <translation>Punkte (*.csv *.txt *.dxf);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export or print …</source>
+        <translation>Ausgeben oder drucken …</translation>
+    </message>
+    <message>
+        <source>Backup …</source>
+        <translation>Sicherung …</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>Sicherung</translation>
+    </message>
+    <message>
+        <source>Planum projects (*.gpkg)</source>
+        <translation>Planum-Projekte (*.gpkg)</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>Open a project first, then drop the files on it.</source>
+        <translation>Erst ein Projekt öffnen, dann die Dateien daraufziehen.</translation>
+    </message>
+    <message>
+        <source>Export or print</source>
+        <translation>Ausgeben oder drucken</translation>
+    </message>
+    <message>
+        <source>Matrix (*.pdf *.svg *.png);;Report (*.xml *.html);;For other programs (*.csv *.json *.lst *.hmcx *.graphml *.dot *.geojson *.ttl *.xlsx *.dxf *.oxcal)</source>
+        <translation>Matrix (*.pdf *.svg *.png);;Bericht (*.xml *.html);;Für andere Programme (*.csv *.json *.lst *.hmcx *.graphml *.dot *.geojson *.ttl *.xlsx *.dxf *.oxcal)</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>larger, smaller, the whole drawing</source>
+        <translation>größer, kleiner, die ganze Zeichnung</translation>
+    </message>
+    <message>
+        <source>along the orders of the matrix, or move the picture</source>
+        <translation>entlang der Reihenfolge in der Matrix, oder das Bild verschieben</translation>
+    </message>
+    <message>
+        <source>while drawing: last corner back</source>
+        <translation>beim Zeichnen: letzte Ecke zurück</translation>
+    </message>
+    <message>
+        <source>while drawing: cancel (can be taken back)</source>
+        <translation>beim Zeichnen: abbrechen (kann zurückgenommen werden)</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RecordsModel</name>
+    <message>
+        <source>Listing</source>
+        <translation>Auflisten</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Add %1 %2</source>
+        <translation>%1 %2 anlegen</translation>
+    </message>
+    <message>
+        <source>Change %1 %2</source>
+        <translation>%1 %2 ändern</translation>
+    </message>
+    <message>
+        <source>Delete %1 %2</source>
+        <translation>%1 %2 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RecordsView</name>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Find in the list</source>
+        <translation>In der Liste suchen</translation>
+    </message>
+    <message>
+        <source>Name of a new one</source>
+        <translation>Name eines neuen Eintrags</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>new: %1</source>
+        <translation>neu: %1</translation>
+    </message>
+    <message>
+        <source>Choose one of the list, or add one.</source>
+        <translation>Einen Eintrag der Liste wählen oder einen anlegen.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RelationEntryBar</name>
+    <message>
+        <source>Show the circle</source>
+        <translation>Kreis zeigen</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>covers, cut by, …</source>
+        <translation>über, geschnitten von, …</translation>
+    </message>
+    <message>
+        <source>Relation: first unit</source>
+        <translation>Beziehung: erster Befund</translation>
+    </message>
+    <message>
+        <source>Relation: kind</source>
+        <translation>Beziehung: Art</translation>
+    </message>
+    <message>
+        <source>Relation: second unit</source>
+        <translation>Beziehung: zweiter Befund</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RelationEntryModel</name>
+    <message>
+        <source>Number of a unit</source>
+        <translation>Nummer eines Befunds</translation>
+    </message>
+    <message>
+        <source>Relation: covers, cut by, fills, …</source>
+        <translation>Beziehung: über, geschnitten von, verfüllt, …</translation>
+    </message>
+    <message>
+        <source>“%1” is no relation</source>
+        <translation>„%1“ ist keine Beziehung</translation>
+    </message>
+    <message>
+        <source>Number of the other unit</source>
+        <translation>Nummer des anderen Befunds</translation>
+    </message>
+    <message>
+        <source>%1 is used in several areas; write AREA::%1</source>
+        <translation>%1 gibt es in mehreren Schnitten; SCHNITT::%1 schreiben</translation>
+    </message>
+    <message>
+        <source>There is no unit %1 yet; Enter adds it as one only mentioned.</source>
+        <translation>Befund %1 gibt es noch nicht; Eingabe legt ihn als nur erwähnten an.</translation>
+    </message>
+    <message>
+        <source>Near it: %1.</source>
+        <translation>Ähnlich: %1.</translation>
+    </message>
+    <message>
+        <source>That puts %1 above itself. Enter records it all the same.</source>
+        <translation>Damit läge %1 über sich selbst. Eingabe nimmt es trotzdem auf.</translation>
+    </message>
+    <message>
+        <source>That closes a circle: %1. Enter records it all the same.</source>
+        <translation>Das schließt einen Kreis: %1. Eingabe nimmt es trotzdem auf.</translation>
+    </message>
+    <message>
+        <source>Add relation %1</source>
+        <translation>Beziehung %1 eintragen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ScansView</name>
+    <message>
+        <source>on the site grid</source>
+        <translation>im Grabungsnetz</translation>
+    </message>
+    <message>
+        <source>not placed yet</source>
+        <translation>noch nicht eingepasst</translation>
+    </message>
+    <message>
+        <source>the original file is not where it was</source>
+        <translation>die Originaldatei liegt nicht mehr an ihrem Platz</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>rms [mm]</source>
+        <translation>rms [mm]</translation>
+    </message>
+    <message>
+        <source>within [mm]</source>
+        <translation>auf [mm]</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Puts the scans on the site grid that are not there yet</source>
+        <translation>Passt die Scans ins Grabungsnetz ein, die noch nicht darin liegen</translation>
+    </message>
+    <message>
+        <source>Add scans …</source>
+        <translation>Scans aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Markers …</source>
+        <translation>Passmarken …</translation>
+    </message>
+    <message>
+        <source>Folder of a day&apos;s scans</source>
+        <translation>Ordner mit den Scans eines Tages</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Passmarken</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Listing scans</source>
+        <translation>Scans auflisten</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionCanvas</name>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>No section yet. A section is a line between two surveyed points; add one by importing outlines that name it.</source>
+        <translation>Noch kein Profil. Ein Profil ist eine Linie zwischen zwei eingemessenen Punkten; es kommt mit Umrissen, die es nennen.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionView</name>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>%1 m along, height %2 m</source>
+        <translation>bei %1 m, Höhe %2 m</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SpaceCanvas</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.3, which this display does not offer. All other views work.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.3, das diese Anzeige nicht bietet. Alle anderen Ansichten arbeiten.</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.3; there is %1.%2 here. All other views work.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.3; hier gibt es %1.%2. Alle anderen Ansichten arbeiten.</translation>
+    </message>
+    <message>
+        <source>The site in 3D</source>
+        <translation>Die Grabung in 3D</translation>
+    </message>
+    <message>
+        <source>Choosing points</source>
+        <translation>Punkte auswählen</translation>
+    </message>
+    <message>
+        <source>Looking up a point</source>
+        <translation>Punkt nachsehen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SpaceModel</name>
+    <message>
+        <source>Opening the points</source>
+        <translation>Punkte öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SpaceView</name>
+    <message>
+        <source>x %1  y %2  height %3 m</source>
+        <translation>x %1  y %2  Höhe %3 m</translation>
+    </message>
+    <message>
+        <source>%1 m apart, %2 m up</source>
+        <translation>%1 m entfernt, %2 m höher</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>colour as scanned</source>
+        <translation>Farbe wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>day</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>shaded by depth</source>
+        <translation>nach Tiefe schattiert</translation>
+    </message>
+    <message>
+        <source>all surfaces</source>
+        <translation>alle Flächen</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Plan, north up (T)</source>
+        <translation>Plan, Norden oben (T)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>The trench (F)</source>
+        <translation>Der Schnitt (F)</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TimeLine</name>
+    <message>
+        <source>Surfaces in time</source>
+        <translation>Flächen in der Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TimeModel</name>
+    <message>
+        <source>%1 scans, %2 outlines</source>
+        <translation>%1 Scans, %2 Umrisse</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TodayModel</name>
+    <message>
+        <source>Looking what is next</source>
+        <translation>Nachsehen, was ansteht</translation>
+    </message>
+    <message>
+        <source>%1 lacks %2</source>
+        <translation>%1: es fehlt %2</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TodayPanel</name>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>May be dug next</source>
+        <translation>Kann als Nächstes gegraben werden</translation>
+    </message>
+    <message>
+        <source>Sheets that lack something</source>
+        <translation>Unvollständige Bögen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::UnitCardModel</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datierung</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>Unterlage</translation>
+    </message>
+    <message>
+        <source>Change unit %1</source>
+        <translation>Befund %1 ändern</translation>
+    </message>
+    <message>
+        <source>Add unit %1</source>
+        <translation>Befund %1 anlegen</translation>
+    </message>
+    <message>
+        <source>Delete unit %1</source>
+        <translation>Befund %1 löschen</translation>
+    </message>
+    <message>
+        <source>Reading what was changed</source>
+        <translation>Lesen, was geändert wurde</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::UnitListModel</name>
+    <message>
+        <source>unit %1, %2, %3</source>
+        <translation>Befund %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>(no sheet yet)</source>
+        <translation>(noch kein Bogen)</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Short definition</source>
+        <translation>Kurzansprache</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Stand</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::UnitPanel</name>
+    <message>
+        <source>with problems</source>
+        <translation>mit Problemen</translation>
+    </message>
+    <message>
+        <source>Find a number or a word</source>
+        <translation>Nummer oder Wort suchen</translation>
+    </message>
+    <message>
+        <source>Find a unit</source>
+        <translation>Befund suchen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Trench</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>any kind</source>
+        <translation>jede Art</translation>
+    </message>
+    <message>
+        <source>kind not known</source>
+        <translation>Art unbekannt</translation>
+    </message>
+    <message>
+        <source>any status</source>
+        <translation>jeder Stand</translation>
+    </message>
+    <message>
+        <source>all trenches</source>
+        <translation>alle Schnitte</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 Befunde</translation>
+    </message>
+    <message>
+        <source>%1 of %2 units</source>
+        <translation>%1 von %2 Befunden</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::Workspace</name>
+    <message>
+        <source>opened for reading only</source>
+        <translation>nur zum Lesen geöffnet</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Making %1</source>
+        <translation>%1 anlegen</translation>
+    </message>
+    <message>
+        <source>this file may only be read: %1</source>
+        <translation>diese Datei darf nur gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1.</source>
+        <translation>Nichts wurde geändert: %1.</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>%1 is gone. What you see was read before; put the file back, or save a copy elsewhere.</source>
+        <translation>%1 ist verschwunden. Was Sie sehen, wurde vorher gelesen; die Datei zurücklegen oder eine Kopie anderswo sichern.</translation>
+    </message>
+    <message>
+        <source>Another program changed the project; it was read again.</source>
+        <translation>Ein anderes Programm hat das Projekt geändert; es wurde neu gelesen.</translation>
+    </message>
+    <message>
+        <source>Reading the project again</source>
+        <translation>Projekt neu lesen</translation>
+    </message>
+</context>
+<context>
+    <name>views</name>
+    <message>
+        <source>Units</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>Panorama</source>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Finds and lists</source>
+        <translation>Funde und Listen</translation>
+    </message>
+    <message>
+        <source>Record card</source>
+        <translation>Befundbogen</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+</context>
+<context>
+    <name>words</name>
+    <message>
+        <source>layer</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>Verfüllung</translation>
+    </message>
+    <message>
+        <source>masonry</source>
+        <translation>Mauerwerk</translation>
+    </message>
+    <message>
+        <source>timber</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>burial</source>
+        <translation>Bestattung</translation>
+    </message>
+    <message>
+        <source>deposit</source>
+        <translation>Ablagerung</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Eingriff</translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation>Komplex</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>interface</source>
+        <translation>Grenzfläche</translation>
+    </message>
+    <message>
+        <source>skeleton</source>
+        <translation>Skelett</translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation>Anstehendes</translation>
+    </message>
+    <message>
+        <source>void number</source>
+        <translation>leere Nummer</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>partly excavated</source>
+        <translation>teilweise gegraben</translation>
+    </message>
+    <message>
+        <source>excavated</source>
+        <translation>gegraben</translation>
+    </message>
+    <message>
+        <source>not excavated</source>
+        <translation>nicht gegraben</translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>covered by</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>cut by</source>
+        <translation>geschnitten von</translation>
+    </message>
+    <message>
+        <source>cuts</source>
+        <translation>schneidet</translation>
+    </message>
+    <message>
+        <source>filled by</source>
+        <translation>verfüllt von</translation>
+    </message>
+    <message>
+        <source>fills</source>
+        <translation>verfüllt</translation>
+    </message>
+    <message>
+        <source>abutted by</source>
+        <translation>angebaut von</translation>
+    </message>
+    <message>
+        <source>abuts</source>
+        <translation>stößt an</translation>
+    </message>
+    <message>
+        <source>bonds with</source>
+        <translation>im Verband mit</translation>
+    </message>
+    <message>
+        <source>same as</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>borders</source>
+        <translation>grenzt an</translation>
+    </message>
+    <message>
+        <source>earlier than</source>
+        <translation>älter als</translation>
+    </message>
+    <message>
+        <source>later than</source>
+        <translation>jünger als</translation>
+    </message>
+    <message>
+        <source>contemporary with</source>
+        <translation>gleichzeitig mit</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>Oberkante</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Unterkante</translation>
+    </message>
+    <message>
+        <source>bottom of the cut</source>
+        <translation>Sohle des Eingriffs</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>a unit</source>
+        <translation>ein Befund</translation>
+    </message>
+    <message>
+        <source>spoil</source>
+        <translation>Abraum</translation>
+    </message>
+    <message>
+        <source>slump</source>
+        <translation>Nachsturz</translation>
+    </message>
+    <message>
+        <source>backfill</source>
+        <translation>Wiederverfüllung</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>equipment</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>baulk</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>not excavated yet</source>
+        <translation>noch nicht gegraben</translation>
+    </message>
+    <message>
+        <source>shows: its top</source>
+        <translation>zeigt: seine Oberfläche</translation>
+    </message>
+    <message>
+        <source>shows: a level inside it</source>
+        <translation>zeigt: ein Planum in ihm</translation>
+    </message>
+    <message>
+        <source>shows: the bare cut</source>
+        <translation>zeigt: den leeren Eingriff</translation>
+    </message>
+    <message>
+        <source>shows: dug too deep</source>
+        <translation>zeigt: zu tief gegraben</translation>
+    </message>
+    <message>
+        <source>shows: dug by machine</source>
+        <translation>zeigt: mit dem Bagger gegraben</translation>
+    </message>
+    <message>
+        <source>shows: a face</source>
+        <translation>zeigt: eine Wand</translation>
+    </message>
+    <message>
+        <source>shows: nothing of it</source>
+        <translation>zeigt: nichts davon</translation>
+    </message>
+    <message>
+        <source>Units above one another in a circle</source>
+        <translation>Befunde im Kreis übereinander</translation>
+    </message>
+    <message>
+        <source>Circle made by “same as”</source>
+        <translation>Kreis durch „gleich“</translation>
+    </message>
+    <message>
+        <source>Unit above itself</source>
+        <translation>Befund über sich selbst</translation>
+    </message>
+    <message>
+        <source>Stated both ways</source>
+        <translation>In beide Richtungen angegeben</translation>
+    </message>
+    <message>
+        <source>Contemporary, yet ordered</source>
+        <translation>Gleichzeitig und doch nacheinander</translation>
+    </message>
+    <message>
+        <source>Surfaces contradict the relation</source>
+        <translation>Flächen widersprechen der Beziehung</translation>
+    </message>
+    <message>
+        <source>Levels contradict the relation</source>
+        <translation>Höhen widersprechen der Beziehung</translation>
+    </message>
+    <message>
+        <source>Dates contradict the order</source>
+        <translation>Datierungen widersprechen der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Phases contradict the order</source>
+        <translation>Phasen widersprechen der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Dug before what lay above it</source>
+        <translation>Vor dem gegraben, was darüber lag</translation>
+    </message>
+    <message>
+        <source>Find outside its unit</source>
+        <translation>Fund außerhalb seines Befunds</translation>
+    </message>
+    <message>
+        <source>Relation does not fit the kinds</source>
+        <translation>Beziehung passt nicht zu den Arten</translation>
+    </message>
+    <message>
+        <source>Fill without a cut</source>
+        <translation>Verfüllung ohne Eingriff</translation>
+    </message>
+    <message>
+        <source>Cut without a fill</source>
+        <translation>Eingriff ohne Verfüllung</translation>
+    </message>
+    <message>
+        <source>Cut that cuts nothing</source>
+        <translation>Eingriff, der nichts schneidet</translation>
+    </message>
+    <message>
+        <source>Something lies below the natural</source>
+        <translation>Etwas liegt unter dem Anstehenden</translation>
+    </message>
+    <message>
+        <source>Number used twice</source>
+        <translation>Nummer doppelt vergeben</translation>
+    </message>
+    <message>
+        <source>Number outside its block</source>
+        <translation>Nummer außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>Relation stated twice on one sheet</source>
+        <translation>Beziehung auf einem Bogen doppelt</translation>
+    </message>
+    <message>
+        <source>Stated on one sheet only</source>
+        <translation>Nur auf einem Bogen angegeben</translation>
+    </message>
+    <message>
+        <source>Unit without a sheet</source>
+        <translation>Befund ohne Bogen</translation>
+    </message>
+    <message>
+        <source>Not understood on import</source>
+        <translation>Beim Import nicht verstanden</translation>
+    </message>
+    <message>
+        <source>Unit without relations</source>
+        <translation>Befund ohne Beziehungen</translation>
+    </message>
+    <message>
+        <source>Unit without an outline</source>
+        <translation>Befund ohne Umriss</translation>
+    </message>
+    <message>
+        <source>Outline without a unit</source>
+        <translation>Umriss ohne Befund</translation>
+    </message>
+    <message>
+        <source>Scan not on the site grid</source>
+        <translation>Scan nicht im Grabungsnetz</translation>
+    </message>
+    <message>
+        <source>Scan placed with doubt</source>
+        <translation>Scan unsicher eingepasst</translation>
+    </message>
+    <message>
+        <source>Surface changed while it was scanned</source>
+        <translation>Fläche änderte sich beim Scannen</translation>
+    </message>
+    <message>
+        <source>Ground rose</source>
+        <translation>Boden stieg an</translation>
+    </message>
+    <message>
+        <source>Relation that others imply</source>
+        <translation>Beziehung, die aus anderen folgt</translation>
+    </message>
+</context>
+</TS>

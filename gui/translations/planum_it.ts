@@ -1,0 +1,1913 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="it" sourcelanguage="en">
+<context>
+    <name>card</name>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Formation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preservation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Masonry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skeleton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Excavation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assessment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short definition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interpretation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dug away on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digging began on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dates and phases</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>export</name>
+    <message>
+        <source>wrote %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not carried: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::CardPanel</name>
+    <message>
+        <source>Full record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a unit in the list, the matrix or a problem, or add a new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of a new unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation: number, kind, number, Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new unit: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels, finds, papers</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::DayJobs</name>
+    <message>
+        <source>%1: read as %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 new units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of them only mentioned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units with fields filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 new relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 new statements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 new levels, finds, phases and others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: “%3” stands, the file says “%4”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: placed, position within %2 mm. %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not placed. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading what would be imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>imported: %1 new units, %2 new relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing in the files is new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adding scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans added, %2 there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking outlines in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 new outlines, %2 refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking measured points in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points: %2 new levels, %3 new finds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking markers in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 markers added, %2 as they were</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registering scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeping the places of the scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backup written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::FlatPage</name>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the whole (F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (taken back)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ImportDialog</name>
+    <message>
+        <source>what the files say replaces what differs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is what would change; nothing is written yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing in the files is new.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Differs; the project&apos;s is kept unless you say otherwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not understood, or worth a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::JobSign</name>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopping …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MainWindow</name>
+    <message>
+        <source>recorded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New project …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open for reading only …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sunlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no project open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 units, %3 relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planum projects (*.gpkg);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planum projects (*.gpkg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 from the next start on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MatrixCanvas</name>
+    <message>
+        <source>Drawing of the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No drawing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MatrixModel</name>
+    <message>
+        <source>Drawing the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::MatrixView</name>
+    <message>
+        <source>%1 boxes, %2 lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whole site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>around the selected unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only what problems are about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what changed since yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not folded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phases folded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>periods folded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>groups folded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Titles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short definitions below the numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole drawing (F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>   – closes a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::NoticeBar</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::OutlineBar</name>
+    <message>
+        <source>Draw an outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the outline encloses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the outline shows of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: by kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corner back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the last corner back (Backspace, Ctrl+Z); brings a cancelled outline back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes the outline (Enter, or a click on the first corner)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc; can be taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::OutlineTool</name>
+    <message>
+        <source>Near it: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No unit %1 yet; it will be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw an outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PanoramaCanvas</name>
+    <message>
+        <source>Panorama</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unrolling the scan …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No scan of this surface yet. Add scans from the project menu, or drop files on the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PanoramaModel</name>
+    <message>
+        <source>Unrolling %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was measured here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m from the scanner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1  y %2  height %3 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This scan is not on the site grid yet: register it, then outlines can be drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PanoramaView</name>
+    <message>
+        <source>Scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflectance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PlanCanvas</name>
+    <message>
+        <source>Plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No outlines, finds or stations yet. Add scans, draw outlines on a panorama, or import outlines and measured points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PlanView</name>
+    <message>
+        <source>There is no surface to draw on yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProblemListModel</name>
+    <message>
+        <source>number %1 in “%2”, probably %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit %1, probably two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark uncertain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split the unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing contradicts anything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 errors, %2 warnings, %3 remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 relations state an order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 contradicted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not testable: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep a problem silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign the day off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  · new</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProblemPanel</name>
+    <message>
+        <source>Number of the new unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason, for those who read it in ten years</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remarks too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign the day off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stands now is not new tomorrow; it is signed with your name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; signed off %1 by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1   (%2 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a problem: its proof shows in the matrix and in every other view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known because …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to doubt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rests on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProjectMenu</name>
+    <message>
+        <source>Project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import lists …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lists of units, relations, finds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add scans …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of a day&apos;s scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import outlines …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outlines (*.geojson *.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import measured points …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of the total station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points (*.csv *.txt *.dxf);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export or print …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backup …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planum projects (*.gpkg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a project first, then drop the files on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export or print</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matrix (*.pdf *.svg *.png);;Report (*.xml *.html);;For other programs (*.csv *.json *.lst *.hmcx *.graphml *.dot *.geojson *.ttl *.xlsx *.dxf *.oxcal)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>larger, smaller, the whole drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the orders of the matrix, or move the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>while drawing: last corner back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>while drawing: cancel (can be taken back)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RecordsModel</name>
+    <message>
+        <source>Listing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RecordsView</name>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of a new one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one of the list, or add one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RelationEntryBar</name>
+    <message>
+        <source>Show the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>covers, cut by, …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation: first unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation: kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation: second unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::RelationEntryModel</name>
+    <message>
+        <source>Number of a unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation: covers, cut by, fills, …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the other unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is used in several areas; write AREA::%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no unit %1 yet; Enter adds it as one only mentioned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Near it: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That puts %1 above itself. Enter records it all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That closes a circle: %1. Enter records it all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add relation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ScansView</name>
+    <message>
+        <source>on the site grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not placed yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the original file is not where it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts the scans on the site grid that are not there yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add scans …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of a day&apos;s scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Listing scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionCanvas</name>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No section yet. A section is a line between two surveyed points; add one by importing outlines that name it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionView</name>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m along, height %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SpaceCanvas</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.3, which this display does not offer. All other views work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.3; there is %1.%2 here. All other views work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The site in 3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choosing points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking up a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SpaceModel</name>
+    <message>
+        <source>Opening the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SpaceView</name>
+    <message>
+        <source>x %1  y %2  height %3 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m apart, %2 m up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour as scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shaded by depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan, north up (T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trench (F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TimeLine</name>
+    <message>
+        <source>Surfaces in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TimeModel</name>
+    <message>
+        <source>%1 scans, %2 outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TodayModel</name>
+    <message>
+        <source>Looking what is next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lacks %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::TodayPanel</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>May be dug next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheets that lack something</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::UnitCardModel</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change unit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add unit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete unit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading what was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::UnitListModel</name>
+    <message>
+        <source>unit %1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(no sheet yet)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short definition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::UnitPanel</name>
+    <message>
+        <source>with problems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a number or a word</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all trenches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 units</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::Workspace</name>
+    <message>
+        <source>opened for reading only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this file may only be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is gone. What you see was read before; put the file back, or save a copy elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program changed the project; it was read again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the project again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>views</name>
+    <message>
+        <source>Units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panorama</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds and lists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>words</name>
+    <message>
+        <source>layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>masonry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>timber</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>burial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deposit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skeleton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>void number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>partly excavated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>excavated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not excavated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>covered by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filled by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fills</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>abutted by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>abuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bonds with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>same as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>borders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>earlier than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>later than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contemporary with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bottom of the cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spoil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backfill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>equipment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>baulk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not excavated yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: its top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: a level inside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: the bare cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: dug too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: dug by machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: a face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shows: nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Units above one another in a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle made by “same as”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit above itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stated both ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contemporary, yet ordered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surfaces contradict the relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels contradict the relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dates contradict the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phases contradict the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dug before what lay above it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find outside its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation does not fit the kinds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill without a cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut without a fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut that cuts nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something lies below the natural</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number used twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number outside its block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation stated twice on one sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stated on one sheet only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit without a sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not understood on import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit without relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit without an outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline without a unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan not on the site grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan placed with doubt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface changed while it was scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground rose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation that others imply</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>
