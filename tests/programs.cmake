@@ -20,3 +20,9 @@ if(NOT PLANUM_SANITIZE)
   planum_program_test(architecture/linked_libraries unit
     ${PROJECT_SOURCE_DIR}/tests/support/linked_libraries.sh ${programs})
 endif()
+planum_program_test(gui/verbs_in_table gui python3 ${PROJECT_SOURCE_DIR}/tests/gui/verbs_in_table.py $<TARGET_FILE:planum>
+  ${PROJECT_SOURCE_DIR}/docs/desktop.md)
+find_program(PLANUM_LUPDATE lupdate HINTS /usr/lib/qt6/bin)
+if(PLANUM_LUPDATE)
+  planum_program_test(gui/translations gui python3 ${PROJECT_SOURCE_DIR}/tests/gui/translations.py ${PROJECT_SOURCE_DIR} ${PLANUM_LUPDATE})
+endif()

@@ -56,6 +56,8 @@ ScansView::ScansView(Models& models)
     said_->setWordWrap(true);
     auto* add = new QPushButton(tr("Add scans …"));
     auto* markers = new QPushButton(tr("Markers …"));
+    add->setObjectName(QStringLiteral("addScans"));
+    markers->setObjectName(QStringLiteral("importMarkers"));
     connect(add, &QPushButton::clicked, this, [this] {
         const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of a day's scans"));
         if (!folder.isEmpty()) models_.day.add_scans({folder.toStdString()}, {});

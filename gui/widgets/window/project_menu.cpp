@@ -29,7 +29,7 @@ DayJobs::Files paths(const QStringList& files) {
 
 } // namespace
 
-ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project")), window_(window) {
+ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project"), &window), window_(window) {
     auto* recent_menu = addMenu(tr("Recent projects"));
     connect(recent_menu, &QMenu::aboutToShow, this, [this, recent_menu] { fill_recent(recent_menu); });
     addSeparator();
@@ -37,6 +37,7 @@ ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project")), window_(win
         const QStringList files = ask_files(tr("Lists of units, relations, finds"), tr("All files (*)"));
         if (!files.isEmpty()) (new ImportDialog(window_.models().day, paths(files), &window_))->show();
     });
+    import->setObjectName(QStringLiteral("importLists"));
     import->setShortcut(QKeySequence(QStringLiteral("Ctrl+I")));
     addAction(tr("Add scans …"), this, [this] {
         const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Folder of a day's scans"));
@@ -53,6 +54,7 @@ ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project")), window_(win
     });
     addSeparator();
     QAction* write = addAction(tr("Export or print …"), this, &ProjectMenu::ask_export);
+    write->setObjectName(QStringLiteral("export"));
     write->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
     addAction(tr("Backup …"), this, [this] {
         const QString file = QFileDialog::getSaveFileName(&window_, tr("Backup"), {}, tr("Planum projects (*.gpkg)"));

@@ -2,6 +2,7 @@
 #include "gui/viewmodels/day_jobs.hpp"
 
 #include "gui/viewmodels/records_model.hpp"
+#include "gui/viewmodels/today_model.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gui_project.hpp"
 
@@ -100,4 +101,32 @@ TEST_CASE("Every kind of record can be listed, and a find changed, added and rem
     records.remove();
     settle(d.workspace);
     CHECK(records.names().size() == 1);
+}
+
+TEST_CASE("Today's lists name what is open, what may be dug and what sheets lack; a line selects its unit") {
+    Day d;
+    TodayModel today(d.workspace);
+    today.set_watched(true);
+    settle(d.workspace);
+    CHECK(today.open().size() == 2); // the cut was excavated
+    REQUIRE_FALSE(today.next().empty());
+    CHECK(today.next().front().unit == QStringLiteral("1"));
+    CHECK(today.next().front().text.contains(QStringLiteral("ashy fill")));
+    CHECK_FALSE(today.sheets().empty());
+    today.choose(QStringLiteral("3"));
+    CHECK(d.workspace.snapshot()->index().name(d.workspace.selected()) == "3");
+}
+
+TEST_CASE("Edits go on while a long job works on a connection of its own, and both are kept") {
+    Day d;
+    const auto file = d.site.folder.write("units.csv", "unit,kind,title\n8,layer,hearth\n");
+    d.day.import({file}, false);
+    d.workspace.edit(QStringLiteral("typing"), [](app::Project& project, Progress&) {
+        app::record_kind("unit").add(project, "9", {{"kind", "layer"}});
+    });
+    settle(d.workspace);
+    settle(d.workspace);
+    CHECK(d.failures.isEmpty());
+    CHECK(d.workspace.snapshot()->record().units.size() == 5);
+    CHECK(d.done.size() == 1);
 }

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include <QAction>
+#include <QLabel>
+#include <QListView>
+#include <QRegularExpression>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "app/demo/simulator.hpp"
+#include "gui/widgets/flat/flat_canvas.hpp"
+#include "tests/e2e/window_day/hands.hpp"
+#include "tests/support/temporary.hpp"
+
+using namespace planum;
+using namespace planum::gui;
+namespace fs = std::filesystem;
+
+namespace {
+
+QString text(const fs::path& file) { return QString::fromStdString(file.string()); }
+
+// `"a.csv" "b.csv"`, as the file dialog wants several names.
+QString several(const fs::path& folder, const std::vector<const char*>& names) {
+    QStringList quoted;
+    for (const char* name : names) quoted << QStringLiteral("\"%1\"").arg(text(folder / name));
+    return quoted.join(QLatin1Char(' '));
+}
+
+struct Place {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+// Looks over the picture with the pointer for the pixel whose coordinates, as the window says them, come nearest.
+std::optional<QPointF> pixel_of(FlatCanvas& canvas, const QLabel& label, Place wanted) {
+    static const QRegularExpression numbers(QStringLiteral("x (-?[0-9.]+)  y (-?[0-9.]+)  height"));
+    std::optional<QPointF> best;
+    double least = 0.25; // [m]
+    for (int y = 2; y < canvas.height(); y += 3) {
+        for (int x = 2; x < canvas.width(); x += 5) {
+            test::Hands::hover(&canvas, QPointF(x, y));
+            const auto match = numbers.match(label.text());
+            if (!match.hasMatch()) continue;
+            const double apart =
+                std::hypot(match.captured(1).toDouble() - wanted.x, match.captured(2).toDouble() - wanted.y);
+            if (apart >= least) continue;
+            least = apart;
+            best = QPointF(x, y);
+        }
+    }
+    return best;
+}
+
+std::vector<Place> corners_in(const app::demo::DemoDig& dig, double size) {
+    const auto& trench = dig.site.trench;
+    const double x = 0.5 * (trench.low.x + trench.high.x);
+    const double y = 0.5 * (trench.low.y + trench.high.y);
+    return {{x - size, y - size}, {x + size, y - size}, {x + size, y + size}, {x - size, y + size}};
+}
+
+} // namespace
+
+TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a problem mended, the matrix on paper") {
+    const test::TemporaryFolder folder;
+    const fs::path files = folder / "dig";
+    Progress& progress = Progress::none();
+    const app::demo::DemoDig dig = app::demo::simulate({}, progress);
+    app::demo::write_demo(dig, files, progress);
+
+    test::Hands hands("day");
+    hands.picture("01_nothing_open");
+
+    // A project of the director's own, and the sheets so far.
+    hands.answer_next({text(folder / "hill.gpkg")});
+    hands.find<QAction>("newProject")->trigger();
+    hands.settle_all();
+    REQUIRE(hands.window.models().workspace.is_open());
+    hands.answer_next(
+        {several(files / "with-mistakes", {"areas.csv", "units.csv", "relations.csv", "levels.csv", "finds.csv"})});
+    hands.find<QAction>("importLists")->trigger();
+    hands.settle_all();
+    hands.picture("02_import_preview");
+    hands.click("importNow");
+    CHECK(hands.record().units.size() >= 12);
+    hands.picture("03_imported");
+
+    // Scans are dropped on the window; markers put them on the site grid.
+    hands.drop({files / "2025-06-01", files / "2025-06-02"});
+    CHECK(hands.record().scans.size() == 4);
+    hands.window.show_view("scans");
+    hands.answer_next({text(files / "markers.csv")});
+    hands.click("importMarkers");
+    hands.click("registerScans");
+    CHECK(hands.record().poses.size() == 4);
+    hands.picture("04_registered");
+
+    // An outline on the panorama, corner by corner.
+    hands.window.show_view("panorama");
+    hands.settle_all();
+    auto* panorama = hands.find<FlatCanvas>("panoramaCanvas");
+    auto* place = hands.find<QLabel>("panoramaPlace");
+    hands.picture("05_panorama");
+    hands.click("panoramaDraw");
+    QTest::keyClicks(hands.find<QLineEdit>("panoramaOutlineUnit"), QStringLiteral("900"));
+    for (const Place& corner : corners_in(dig, 0.5)) {
+        const auto pixel = pixel_of(*panorama, *place, corner);
+        REQUIRE(pixel.has_value());
+        hands.click_at(panorama, *pixel);
+    }
+    CHECK(hands.window.models().outline.corners().size() == 4);
+    hands.picture("06_drawing_on_the_panorama");
+    QTest::keyClick(panorama, Qt::Key_Return);
+    hands.settle_all();
+    REQUIRE(hands.record().regions.size() == 1);
+
+    // Another in plan, beside it, snapping to the first; it is seen at once in both views.
+    hands.window.show_view("plan");
+    hands.settle_all();
+    auto* plan = hands.find<FlatCanvas>("planCanvas");
+    hands.click("planDraw");
+    hands.find<QLineEdit>("planOutlineUnit")->selectAll();
+    QTest::keyClicks(hands.find<QLineEdit>("planOutlineUnit"), QStringLiteral("901"));
+    std::vector<Place> beside = corners_in(dig, 0.5);
+    for (Place& corner : beside) hands.click_at(plan, plan->to_screen({corner.x + 1.2, corner.y}));
+    QTest::mouseClick(plan, Qt::LeftButton, {}, plan->to_screen({beside[0].x + 1.2, beside[0].y}).toPoint());
+    hands.settle_all();
+    REQUIRE(hands.record().regions.size() == 2);
+    hands.picture("07_plan");
+    hands.window.show_view("3d");
+    hands.picture("08_3d");
+
+    // The first problem: looked at, and its likeliest suspect marked uncertain for a reason.
+    hands.window.show_view("problems");
+    hands.window.show_view("matrix");
+    auto* list = hands.find<QListView>("problemList");
+    REQUIRE(list->model()->rowCount() > 0);
+    hands.click_at(list->viewport(), list->visualRect(list->model()->index(0, 0)).center());
+    hands.settle_all();
+    hands.picture("09_problem");
+    const std::size_t before = hands.window.models().problems.check().problems.size();
+    hands.answer_next({QStringLiteral("the lip of the cut had slumped")});
+    hands.click("acceptProblem");
+    CHECK(hands.window.models().problems.check().problems.size() + 1 == before);
+    CHECK(hands.window.models().problems.check().accepted.size() == 1);
+    hands.picture("10_known");
+
+    // Undo says what it takes back, and takes it back.
+    hands.find<QAction>("undo")->trigger();
+    hands.settle_all();
+    CHECK(hands.window.models().problems.check().accepted.empty());
+
+    for (const char* name : {"matrix.pdf", "report.html"}) {
+        hands.answer_next({text(folder / name)});
+        hands.find<QAction>("export")->trigger();
+        hands.settle_all();
+        CHECK(fs::file_size(folder / name) > 1000);
+    }
+    hands.picture("11_written");
+    CHECK(hands.failures.isEmpty());
+    INFO(hands.failures.join(QLatin1Char('\n')).toStdString());
+    CHECK(hands.said.size() >= 5);
+}
