@@ -64,6 +64,7 @@ void add_panorama_commands(CLI::App& root, Context& context);
 /// After the record commands: adds to `surface` what scans give.
 void add_surface_commands(CLI::App& root, Context& context);
 void add_register_commands(CLI::App& root, Context& context);
+void add_suggest_commands(CLI::App& root, Context& context);
 void add_demo_commands(CLI::App& root, Context& context);
 
 /// Writes the record for another program and says what was not carried.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/evidence/evidence.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "strat/checks/check.hpp"
@@ -15,11 +16,12 @@ namespace planum::app {
 
 namespace {
 
-strat::CheckResult run_checks(const model::Record& record, Progress& progress) {
+strat::CheckResult run_checks(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
+                              Progress& progress) {
     progress.step("building the matrix");
     const auto matrix = strat::HarrisMatrix::build(record);
     progress.step("checking");
-    return strat::check(record, matrix, strat::CheckOptions{}, {}, progress);
+    return strat::check(record, matrix, strat::CheckOptions{}, surfaces, progress);
 }
 
 const model::Decision* last_sign_off(const model::Record& record) {
@@ -32,8 +34,9 @@ const model::Decision* last_sign_off(const model::Record& record) {
 
 } // namespace
 
-DailyCheck check_record(const model::Record& record, Progress& progress) {
-    strat::CheckResult result = run_checks(record, progress);
+DailyCheck check_record(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
+                        Progress& progress) {
+    strat::CheckResult result = run_checks(record, surfaces, progress);
     DailyCheck check;
     check.coverage = std::move(result.coverage);
     if (const model::Decision* signed_off = last_sign_off(record)) {
@@ -54,14 +57,17 @@ DailyCheck check_record(const model::Record& record, Progress& progress) {
     return check;
 }
 
+DailyCheck check_record(const model::Record& record, Progress& progress) { return check_record(record, {}, progress); }
+
 std::size_t DailyCheck::count(model::Severity severity) const noexcept {
     return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(),
                                                   [&](const model::Diagnostic& d) { return d.severity == severity; }));
 }
 
 DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress) {
-    if (interpretation.empty()) return check_record(project.record(), progress);
-    return check_record(interpreted(project.record(), interpretation), progress);
+    const std::vector<model::SurfaceEvidence> surfaces = surface_evidence(gather_evidence(project, progress));
+    if (interpretation.empty()) return check_record(project.record(), surfaces, progress);
+    return check_record(interpreted(project.record(), interpretation), surfaces, progress);
 }
 
 void accept_problem(Project& project, std::string_view id, std::string_view because, Progress& progress) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/project/project.hpp"
 #include "core/base/progress.hpp"
 #include "core/model/diagnostic.hpp"
+#include "core/model/evidence.hpp"
 #include "strat/matrix/harris_matrix.hpp"
 
 namespace planum::app {
@@ -28,8 +30,12 @@ struct DailyCheck {
 /// Checks the field record, or an interpretation of it by name. Never writes.
 [[nodiscard]] DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress);
 
-/// The same of a record in memory, as a window has it.
+/// The same of a record in memory, without surfaces.
 [[nodiscard]] DailyCheck check_record(const model::Record& record, Progress& progress);
+
+/// The same of a record in memory, with what the surfaces say where that is at hand.
+[[nodiscard]] DailyCheck check_record(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
+                                      Progress& progress);
 
 /// Keeps a problem silent until its units or evidence change. Throws NotFound when no undecided problem has
 /// the id, Usage without a reason.

@@ -20,17 +20,12 @@ struct Family {
 };
 
 constexpr std::array kFamilies = {
-    Family{"looking for circles", check_cycles},
-    Family{"comparing relations", check_pairs},
-    Family{"comparing levels", check_levels},
-    Family{"comparing dates", check_dates},
-    Family{"comparing phases", check_phases},
-    Family{"following the digging", check_digging},
-    Family{"looking at kinds", check_kinds},
-    Family{"looking at numbers", check_numbers},
-    Family{"looking at sources", check_sources},
-    Family{"looking at scans", check_scans},
-    Family{"counting redundant relations", check_redundancy},
+    Family{"looking for circles", check_cycles},    Family{"comparing relations", check_pairs},
+    Family{"comparing levels", check_levels},       Family{"comparing surfaces", check_surfaces},
+    Family{"comparing dates", check_dates},         Family{"comparing phases", check_phases},
+    Family{"following the digging", check_digging}, Family{"looking at kinds", check_kinds},
+    Family{"looking at numbers", check_numbers},    Family{"looking at sources", check_sources},
+    Family{"looking at scans", check_scans},        Family{"counting redundant relations", check_redundancy},
 };
 
 constexpr std::array kCodes = {
@@ -40,6 +35,8 @@ constexpr std::array kCodes = {
     CheckCode{"contradicting-pair", Severity::Error, "two units each above the other"},
     CheckCode{"contemporary-ordered", Severity::Error,
               "bonded (error) or contemporary (warning) units that a path puts one after the other"},
+    CheckCode{"height-contradiction", Severity::Error,
+              "the recorded surfaces show the opposite (error where both faces are the units' own, else warning)"},
     CheckCode{"level-contradiction", Severity::Warning, "measured heights exclude a unit or a relation"},
     CheckCode{"date-contradiction", Severity::Error, "later than something that is younger by its dates"},
     CheckCode{"phase-contradiction", Severity::Error, "later than something of a later phase"},

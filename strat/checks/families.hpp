@@ -19,6 +19,7 @@ namespace planum::strat {
 void check_cycles(const CheckContext& context, Findings& findings);
 void check_pairs(const CheckContext& context, Findings& findings);
 void check_levels(const CheckContext& context, Findings& findings);
+void check_surfaces(const CheckContext& context, Findings& findings);
 void check_dates(const CheckContext& context, Findings& findings);
 void check_phases(const CheckContext& context, Findings& findings);
 void check_digging(const CheckContext& context, Findings& findings);

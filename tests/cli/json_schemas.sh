@@ -44,6 +44,7 @@ holds scan-add scan add site.gpkg 2025-06-01
 holds scan-list scan list site.gpkg
 holds panorama panorama site.gpkg 2025-06-01/station1 -o panorama.png --width 40
 holds demo demo dig --seed 3
+holds suggest suggest dig/demo.gpkg
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --dry-run
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --create-units
 holds region-list region list site.gpkg
@@ -62,6 +63,7 @@ sed 's/2025-06-01/2025-06-02/' markers.csv >other.csv && "$planum" markers impor
 holds surface-change surface site.gpkg 2025-06-02 --since 2025-06-01 --cell 0.5 -o change.tif
 holds surface-volumes surface site.gpkg --volumes --cell 0.5
 holds survey-import survey import site.gpkg "$here/data/station.csv"
+holds suggest suggest site.gpkg
 holds interpretation-diff interpretation diff site.gpkg record record
 for kind in unit relation phase period group dating find level sample document area surface interpretation; do
   holds record-list "$kind" list site.gpkg

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/project/project.hpp"
+#include "core/base/progress.hpp"
+#include "core/model/evidence.hpp"
+#include "scans/surface/conclusions.hpp"
+
+namespace planum::app {
+
+/// A surface from which nothing is concluded, and why.
+struct UnseenSurface {
+    model::SurfaceId surface;
+    std::string why;
+
+    friend bool operator==(const UnseenSurface&, const UnseenSurface&) = default;
+};
+
+/// What the surfaces of one area say. Unit numbers of the conclusions are positions in `units`, surface
+/// numbers positions in `surfaces`.
+struct AreaEvidence {
+    model::AreaId area;
+    std::vector<model::SurfaceId> surfaces; ///< in the order of time
+    std::vector<scans::KnownUnit> units;    ///< in the order of the record
+    scans::AreaHistory history;
+    std::vector<scans::Conclusion> conclusions;
+    std::vector<UnseenSurface> unseen; ///< outlined, but of no use
+};
+
+/// Compares all surfaces of all areas that have outlines and registered scans. What was found about two surfaces comes
+/// from the cache where their scans, poses and outlines are as they were. Never throws for missing points or outlines
+/// that lie astray; what could not be judged stands in `unseen`.
+[[nodiscard]] std::vector<AreaEvidence> gather_evidence(Project& project, Progress& progress);
+
+/// The proven pairs as the checks take them; questions prove nothing and are left out.
+[[nodiscard]] std::vector<model::SurfaceEvidence> surface_evidence(const std::vector<AreaEvidence>& areas);
+
+} // namespace planum::app

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "app/evidence/evidence.hpp"
+#include "core/model/record.hpp"
+
+namespace planum::app {
+
+/// Why a relation is proposed, or what is asked, as a sentence with days, area and thickness.
+[[nodiscard]] std::string reason_of(const model::Record& record, const model::RecordIndex& index,
+                                    const AreaEvidence& area, const scans::Conclusion& conclusion);
+
+} // namespace planum::app

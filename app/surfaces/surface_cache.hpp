@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/project/project.hpp"
+#include "core/base/progress.hpp"
+#include "scans/surface/surface_builder.hpp"
+
+namespace planum::app {
+
+/// Hash of all that the heights of a surface are made from: scans, poses, tolerance and cells. Empty: no scan of it
+/// stands on the site grid.
+[[nodiscard]] std::string surface_key(const model::Record& record, model::SurfaceId surface,
+                                      const scans::GridFrame& frame);
+
+/// The heights of a surface from its registered scans, kept in NAME.scans/surfaces under `key`, which surface_key()
+/// gave. A cache that cannot be written (read-only media) is done without. Throws as placed_scans() when points are
+/// needed and missing.
+[[nodiscard]] scans::SurfaceGrid cached_surface(Project& project, model::SurfaceId surface,
+                                                const scans::GridFrame& frame, const std::string& key,
+                                                Progress& progress);
+
+} // namespace planum::app
