@@ -44,6 +44,7 @@ void fill(CLI::App& root, Context& context) {
     add_scan_commands(root, context);
     add_panorama_commands(root, context);
     add_surface_commands(root, context);
+    add_plan_commands(root, context);
     add_register_commands(root, context);
     add_suggest_commands(root, context);
     add_demo_commands(root, context);

@@ -63,6 +63,8 @@ void add_scan_commands(CLI::App& root, Context& context);
 void add_panorama_commands(CLI::App& root, Context& context);
 /// After the record commands: adds to `surface` what scans give.
 void add_surface_commands(CLI::App& root, Context& context);
+/// Plans and sections on paper.
+void add_plan_commands(CLI::App& root, Context& context);
 void add_register_commands(CLI::App& root, Context& context);
 void add_suggest_commands(CLI::App& root, Context& context);
 void add_demo_commands(CLI::App& root, Context& context);

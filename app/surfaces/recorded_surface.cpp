@@ -90,15 +90,14 @@ RecordedSurface recorded_surface(Project& project, const model::Surface& surface
                     fmt::format("surface {}: none of its scans stands on the site grid; planum register places them",
                                 result.name));
     }
-    std::vector<scans::SurfaceScan> scans;
     for (const PlacedScan& one : placed) {
         result.scans.push_back(one.scan.name);
-        scans.push_back(surface_scan(one));
+        result.placed.push_back(surface_scan(one));
     }
     scans::SurfaceOptions options;
     options.tolerance = record.settings.tolerance;
     const scans::GridFrame frame = scans::frame_around(plan_of_area(record, surface.area).value(), cell);
-    result.built = scans::build_surface(scans, frame, options, progress);
+    result.built = scans::build_surface(result.placed, frame, options, progress);
     return result;
 }
 

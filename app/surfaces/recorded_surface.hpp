@@ -15,8 +15,9 @@ namespace planum::app {
 /// A surface of the record with the heights that its scans give.
 struct RecordedSurface {
     std::string name;
-    std::vector<std::string> scans; ///< that stand on the site grid
-    std::vector<std::string> raw;   ///< that do not yet
+    std::vector<std::string> scans;         ///< that stand on the site grid
+    std::vector<std::string> raw;           ///< that do not yet
+    std::vector<scans::SurfaceScan> placed; ///< those of `scans`, with their points
     scans::BuiltSurface built;
 };
 

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: MIT
+#include "app/surfaces/plan_sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/regions/region_layout.hpp"
+#include "app/regions/region_names.hpp"
+#include "app/scans/days_surface.hpp"
+#include "app/surfaces/recorded_surface.hpp"
+#include "app/surfaces/surface_picture.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/geometry/polygon_overlay.hpp"
+
+namespace planum::app {
+
+namespace {
+
+using geometry::SheetDash;
+using geometry::SheetLook;
+using model::RegionCategory;
+using model::UnitForm;
+using model::UnitKind;
+
+constexpr double kSpare = 0.3;      // around outlines [m]
+constexpr double kOverColour = 0.4; // fills hide less of a photograph
+constexpr double kHair = 1e-6;
+constexpr double kRound = 0.1; // edges of a sheet are whole decimetres
+constexpr SheetLook kNoUnit{0x5d5a54, 0.25, SheetDash::Dotted, 0x8a8a8a, 0.25};
+
+geometry::Extent sheet_extent(const geometry::Extent& content, double spare) {
+    geometry::Extent extent;
+    if (content.is_empty()) return extent;
+    for (std::size_t k = 0; k < 2; ++k) {
+        extent.low[k] = std::floor((content.low[k] - spare) / kRound + kHair) * kRound;
+        extent.high[k] = std::ceil((content.high[k] + spare) / kRound - kHair) * kRound;
+    }
+    return extent;
+}
+
+// Ground that scans saw.
+geometry::Extent seen_extent(const scans::SurfaceGrid& grid) {
+    geometry::Extent extent;
+    for (std::int32_t row = 0; row < grid.frame.rows; ++row) {
+        for (std::int32_t column = 0; column < grid.frame.columns; ++column) {
+            if (grid.state[grid.frame.at(row, column)] != scans::CellState::Unseen)
+                extent.add(grid.frame.x(column), grid.frame.y(row));
+        }
+    }
+    return extent;
+}
+
+std::optional<double> height_at(const scans::SurfaceGrid& grid, double x, double y) {
+    const auto column = static_cast<std::int64_t>(std::floor(x / grid.frame.cell)) - grid.frame.west;
+    const auto row = static_cast<std::int64_t>(std::floor(y / grid.frame.cell)) - grid.frame.south;
+    if (column < 0 || row < 0 || column >= grid.frame.columns || row >= grid.frame.rows) return std::nullopt;
+    const std::size_t cell = grid.frame.at(static_cast<std::int32_t>(row), static_cast<std::int32_t>(column));
+    if (grid.state[cell] == scans::CellState::Unseen) return std::nullopt;
+    return static_cast<double>(grid.height[cell]);
+}
+
+// Early light, late dark: blue-green to deep violet, distinct in grey too.
+geometry::SheetColour colour_in_time(std::size_t place, std::size_t count) {
+    constexpr std::array<std::array<double, 3>, 4> kSteps = {
+        {{236, 160, 40}, {214, 80, 60}, {140, 40, 120}, {40, 30, 110}}};
+    const double at = count > 1 ? 3.0 * static_cast<double>(place) / static_cast<double>(count - 1) : 3.0;
+    const auto from = static_cast<std::size_t>(std::min(2.0, std::floor(at)));
+    geometry::SheetColour colour = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double value =
+            kSteps[from][k] + (at - static_cast<double>(from)) * (kSteps[from + 1][k] - kSteps[from][k]);
+        colour = colour << 8U | static_cast<geometry::SheetColour>(std::lround(value));
+    }
+    return colour;
+}
+
+struct KindWords {
+    UnitKind kind;
+    UnitForm form;
+    std::string_view words;
+};
+
+constexpr std::array<KindWords, 8> kKindWords = {{{UnitKind::Deposit, UnitForm::Layer, "layer"},
+                                                  {UnitKind::Deposit, UnitForm::Fill, "fill"},
+                                                  {UnitKind::Cut, UnitForm::None, "cut"},
+                                                  {UnitKind::Structure, UnitForm::None, "structure"},
+                                                  {UnitKind::Skeleton, UnitForm::None, "skeleton"},
+                                                  {UnitKind::Feature, UnitForm::None, "feature"},
+                                                  {UnitKind::Natural, UnitForm::None, "natural"},
+                                                  {UnitKind::Unknown, UnitForm::None, "kind not known"}}};
+
+class PlanMaker {
+  public:
+    PlanMaker(Project& project, const PlanRequest& request, Progress& progress)
+        : project_(project), record_(project.record()), request_(request), progress_(progress) {}
+
+    PlanSheet make() {
+        sheet().site = record_.settings.name;
+        if (!request_.over.empty()) {
+            make_over();
+        } else {
+            make_surface();
+        }
+        if (sheet().extent.is_empty())
+            throw Error(ErrorCode::BadInput, fmt::format("{}: there are neither outlines nor registered scans to show",
+                                                         plan_.surface.empty() ? request_.over : plan_.surface));
+        return std::move(plan_);
+    }
+
+  private:
+    geometry::MapSheet& sheet() { return plan_.sheet; }
+
+    [[nodiscard]] const model::Surface& wanted_surface() const {
+        if (!request_.surface.empty()) return known_surface(record_, request_.surface);
+        const model::Surface* last = nullptr;
+        for (const model::Surface& surface : record_.surfaces) {
+            if (last == nullptr || std::tie(surface.first_day, surface.order) > std::tie(last->first_day, last->order))
+                last = &surface;
+        }
+        if (last == nullptr)
+            throw Error(ErrorCode::NotFound,
+                        "the project has no surface yet; planum scan add or region import make them");
+        return *last;
+    }
+
+    void make_surface() {
+        const model::Surface& surface = wanted_surface();
+        plan_.surface = surface_name(record_, surface);
+        sheet().title = "Plan of " + plan_.surface;
+        const std::vector<const model::Region*> regions = regions_on(record_, surface.id);
+        geometry::Extent outlines;
+        for (const model::Region* region : regions) outlines.add(geometry::extent(shape_of(*region)));
+        lay_ground(surface, outlines);
+        add_regions(regions);
+        add_levels(regions);
+        add_finds(surface);
+        add_keys(regions);
+        sheet().subtitle = std::string(to_word(surface.method)) + (ground_.empty() ? "" : " · " + ground_);
+    }
+
+    static std::string scans_of(const RecordedSurface& made) {
+        return made.scans.size() == 1 ? "one scan" : fmt::format("{} scans", made.scans.size());
+    }
+
+    static geometry::MultiPolygon shape_of(const model::Region& region) {
+        geometry::MultiPolygon shape;
+        for (const model::Polygon& polygon : region.outline) {
+            geometry::Rings rings = {polygon.outer};
+            rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+            shape.push_back(std::move(rings));
+        }
+        return shape;
+    }
+
+    // The picture from the scans, and what the sheet shows.
+    void lay_ground(const model::Surface& surface, const geometry::Extent& outlines) {
+        sheet().extent = sheet_extent(outlines, kSpare);
+        const bool placed = std::any_of(record_.scans.begin(), record_.scans.end(), [&](const model::Scan& scan) {
+            return scan.surface == surface.id && model::pose_in_force(record_, scan.id) != nullptr;
+        });
+        if (!placed) {
+            plan_.notes.push_back(
+                fmt::format("{}: no registered scan shows it; the plan has outlines only", plan_.surface));
+            return;
+        }
+        RecordedSurface made = recorded_surface(project_, surface, request_.cell, progress_);
+        for (const std::string& scan : made.raw) plan_.notes.push_back(scan + " is not registered and was left out");
+        if (outlines.is_empty()) sheet().extent = sheet_extent(seen_extent(made.built.grid), 0.0);
+        if (request_.colour) {
+            Orthophoto photo = orthophoto(made.built.grid, made.placed, progress_);
+            ground_ = (photo.is_colour ? "colour of " : "reflectance of ") + scans_of(made);
+            sheet().pictures.push_back(std::move(photo.picture));
+        } else {
+            ground_ = "shaded relief from " + scans_of(made);
+            sheet().pictures.push_back(shaded_relief(made.built.grid));
+        }
+        grid_ = std::move(made.built.grid);
+    }
+
+    [[nodiscard]] SheetLook look_of(const model::Region& region) const {
+        if (region.category != RegionCategory::Unit) return kNoUnit;
+        const auto index = project_.index().find(region.unit);
+        if (index == model::kNoUnit) return unit_look(UnitKind::Unknown, UnitForm::None);
+        return unit_look(record_.units[index].kind, record_.units[index].form);
+    }
+
+    void add_regions(const std::vector<const model::Region*>& regions) {
+        const RegionLayout layout = layout_regions(regions);
+        std::vector<const PlacedRegion*> by_size;
+        for (const PlacedRegion& placed : layout.regions) by_size.push_back(&placed);
+        std::stable_sort(by_size.begin(), by_size.end(), [](const PlacedRegion* a, const PlacedRegion* b) {
+            return geometry::area(a->drawn) > geometry::area(b->drawn);
+        });
+        std::set<std::string> units;
+        for (const PlacedRegion* placed : by_size) {
+            const std::string label = region_label(record_, project_.index(), *placed->region);
+            sheet().shapes.push_back({placed->drawn, look_of(*placed->region)});
+            if (request_.colour) sheet().shapes.back().look.opacity *= kOverColour;
+            // The fill belongs to what is shown only: a region inside another cuts its own hole.
+            if (!placed->shown.empty()) sheet().shapes.back().shape = placed->shown;
+            add_label(placed->shown.empty() ? placed->drawn : placed->shown, label, *placed->region);
+            if (!placed->region->unit.is_nil()) units.insert(label);
+        }
+        plan_.units.assign(units.begin(), units.end());
+        std::sort(plan_.units.begin(), plan_.units.end(), text::NaturalLess());
+        for (const model::Region* region : layout.unusable)
+            plan_.notes.push_back(region_name(record_, project_.index(), *region) +
+                                  " has no valid outline and was left out");
+    }
+
+    void add_label(const geometry::MultiPolygon& shape, const std::string& label, const model::Region& region) {
+        if (shape.empty()) return;
+        const auto [x, y] = geometry::inner_place(shape);
+        std::string below;
+        if (grid_ && region.category == RegionCategory::Unit && !has_level(region.unit)) {
+            if (const auto z = height_at(*grid_, x, y)) below = fmt::format("{:.2f}", *z);
+        }
+        sheet().labels.push_back({x, y, label, below});
+    }
+
+    [[nodiscard]] bool has_level(model::UnitId unit) const {
+        return std::any_of(record_.levels.begin(), record_.levels.end(), [&](const model::Level& level) {
+            return level.unit == unit && level.x && level.y && shows_here(level);
+        });
+    }
+
+    // Levels have no day: the base of a unit comes out only when it is gone.
+    [[nodiscard]] bool shows_here(const model::Level& level) const {
+        const bool inside = level.x && level.y && *level.x >= sheet().extent.low[0] &&
+                            *level.x <= sheet().extent.high[0] && *level.y >= sheet().extent.low[1] &&
+                            *level.y <= sheet().extent.high[1];
+        return inside && level.role != model::LevelRole::Base;
+    }
+
+    [[nodiscard]] const geometry::MapSheet& sheet() const { return plan_.sheet; }
+
+    void add_levels(const std::vector<const model::Region*>& regions) {
+        bool any = false;
+        for (const model::Level& level : record_.levels) {
+            const bool bare = std::any_of(regions.begin(), regions.end(),
+                                          [&](const model::Region* region) { return region->unit == level.unit; });
+            if (!bare || !shows_here(level)) continue;
+            sheet().marks.push_back({*level.x, *level.y, geometry::SheetSign::Level, fmt::format("{:.2f}", level.z)});
+            any = true;
+        }
+        if (any) signs_.push_back({"level [m]", {}, geometry::SheetSign::Level});
+    }
+
+    void add_finds(const model::Surface& surface) {
+        bool any = false;
+        const std::string& last = surface.last_day.empty() ? surface.first_day : surface.last_day;
+        for (const model::Find& find : record_.finds) {
+            if (!find.x || !find.y || find.found_on < surface.first_day || find.found_on > last) continue;
+            sheet().marks.push_back({*find.x, *find.y, geometry::SheetSign::Find, find.number});
+            any = true;
+        }
+        if (any) signs_.push_back({"find of these days", {}, geometry::SheetSign::Find});
+    }
+
+    void add_keys(const std::vector<const model::Region*>& regions) {
+        for (const KindWords& known : kKindWords) {
+            const SheetLook look = unit_look(known.kind, known.form);
+            const bool used = std::any_of(regions.begin(), regions.end(),
+                                          [&](const model::Region* region) { return look_of(*region) == look; });
+            if (used) sheet().keys.push_back({std::string(known.words), look, geometry::SheetSign::None});
+        }
+        if (std::any_of(regions.begin(), regions.end(),
+                        [&](const auto* r) { return r->category != RegionCategory::Unit; }))
+            sheet().keys.push_back({"no unit", kNoUnit, geometry::SheetSign::None});
+        sheet().keys.insert(sheet().keys.end(), signs_.begin(), signs_.end());
+    }
+
+    void make_over() {
+        const model::StratigraphicUnit& unit = record_.units[project_.unit_named(request_.over)];
+        const std::string name = project_.index().name(unit.id);
+        std::vector<std::pair<const model::Surface*, const model::Region*>> outlines;
+        geometry::Extent extent;
+        for (const model::Region& region : record_.regions) {
+            if (region.unit != unit.id || !region.section.is_nil()) continue;
+            for (const model::Surface& surface : record_.surfaces) {
+                if (surface.id == region.surface) outlines.emplace_back(&surface, &region);
+            }
+            extent.add(geometry::extent(shape_of(region)));
+        }
+        if (outlines.empty())
+            throw Error(ErrorCode::BadInput, fmt::format("unit {} has no outline on any surface", name));
+        std::stable_sort(outlines.begin(), outlines.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.first->order, a.first->first_day) < std::tie(b.first->order, b.first->first_day);
+        });
+        sheet().title = fmt::format("{} from surface to surface", name);
+        sheet().subtitle = unit.title;
+        sheet().extent = sheet_extent(extent, kSpare);
+        plan_.units = {name};
+        if (!request_.surface.empty()) {
+            const model::Surface& surface = known_surface(record_, request_.surface);
+            plan_.surface = surface_name(record_, surface);
+            lay_ground(surface, extent);
+        }
+        add_successive(outlines);
+    }
+
+    void add_successive(const std::vector<std::pair<const model::Surface*, const model::Region*>>& outlines) {
+        std::vector<const model::Surface*> surfaces;
+        for (const auto& [surface, region] : outlines) {
+            if (surfaces.empty() || surfaces.back() != surface) surfaces.push_back(surface);
+        }
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            SheetLook look;
+            look.line = colour_in_time(i, surfaces.size());
+            // Earlier lines are broader, so that they show below later ones that fall on them.
+            look.width = std::min(1.4, 0.4 + 0.3 * static_cast<double>(surfaces.size() - 1 - i));
+            for (const auto& [surface, region] : outlines) {
+                if (surface == surfaces[i]) sheet().shapes.push_back({shape_of(*region), look});
+            }
+            sheet().keys.push_back({surface_name(record_, *surfaces[i]), look, geometry::SheetSign::None});
+        }
+    }
+
+    Project& project_;
+    const model::Record& record_;
+    const PlanRequest& request_;
+    Progress& progress_;
+    PlanSheet plan_;
+    std::string ground_; ///< what the picture is
+    std::optional<scans::SurfaceGrid> grid_;
+    std::vector<geometry::SheetKey> signs_;
+};
+
+} // namespace
+
+SheetLook unit_look(UnitKind kind, UnitForm form) {
+    SheetLook look;
+    switch (kind) {
+    case UnitKind::Deposit:
+        look.fill = form == UnitForm::Fill ? 0xb9770e : 0xd9b46a;
+        look.opacity = form == UnitForm::Fill ? 0.38 : 0.25;
+        return look;
+    case UnitKind::Cut:
+        look.dash = SheetDash::Dashed;
+        look.fill = 0x5f7f95;
+        look.opacity = 0.25;
+        return look;
+    case UnitKind::Structure:
+        look.width = 0.5;
+        look.fill = 0xa44a3f;
+        look.opacity = 0.5;
+        return look;
+    case UnitKind::Skeleton:
+        look.fill = 0x6b5ca5;
+        look.opacity = 0.45;
+        return look;
+    case UnitKind::Feature:
+        look.fill = 0x8a6fa8;
+        look.opacity = 0.3;
+        return look;
+    case UnitKind::Natural:
+        look.fill = 0x5d8a54;
+        look.opacity = 0.3;
+        return look;
+    case UnitKind::Interface:
+    case UnitKind::Void:
+    case UnitKind::Unknown:
+        look.fill = 0x9a958a;
+        look.opacity = 0.25;
+        return look;
+    }
+    return look;
+}
+
+PlanSheet plan_sheet(Project& project, const PlanRequest& request, Progress& progress) {
+    return PlanMaker(project, request, progress).make();
+}
+
+} // namespace planum::app

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "cli/context.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/surfaces/plan_sheet.hpp"
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "core/base/text.hpp"
+#include "paint/map_sheet_painter.hpp"
+
+namespace planum::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Options {
+    app::PlanRequest plan;
+    std::string file;
+    std::string scale = "1:20";
+    double dpi = 200.0;
+};
+
+// `1:20`, `1 : 20` or `20`.
+double parse_scale(std::string_view text) {
+    std::string_view number = text::trim(text);
+    if (const std::size_t colon = number.find(':'); colon != std::string_view::npos) {
+        if (text::trim(number.substr(0, colon)) != "1")
+            throw Error(ErrorCode::Usage, fmt::format("“{}” is no scale; write it as 1:20", text));
+        number = text::trim(number.substr(colon + 1));
+    }
+    const auto value = text::parse_double(number);
+    if (!value || !(*value >= 0.1 && *value <= 1e5))
+        throw Error(ErrorCode::Usage, fmt::format("“{}” is no scale; write it as 1:20", text));
+    return *value;
+}
+
+void write_sheet(const Context& context, const geometry::MapSheet& sheet, const Options& options) {
+    paint::MapSheetOptions how;
+    how.scale = parse_scale(options.scale);
+    how.dpi = options.dpi;
+    const std::filesystem::path file(options.file);
+    const std::string ending = text::fold_case(file.extension().string());
+    if (ending == ".png") {
+        write_file_atomically(file, paint::render_map_png(sheet, how));
+    } else if (ending == ".pdf") {
+        write_file_atomically(file, paint::render_map_pdf(sheet, how, *context.progress));
+    } else {
+        throw Error(ErrorCode::Usage, fmt::format("{}: plans and sections are written as .png or .pdf", options.file));
+    }
+}
+
+void run_plan(const Context& context, const Options& options) {
+    app::Project project = context.open(store::OpenMode::ReadOnly);
+    const app::PlanSheet made = app::plan_sheet(project, options.plan, *context.progress);
+    write_sheet(context, made.sheet, options);
+    const geometry::Extent& extent = made.sheet.extent;
+    if (context.json) {
+        return context.print({{"file", options.file},
+                              {"surface", made.surface.empty() ? ordered_json(nullptr) : ordered_json(made.surface)},
+                              {"scale", parse_scale(options.scale)},
+                              {"west", extent.low[0]},
+                              {"south", extent.low[1]},
+                              {"east", extent.high[0]},
+                              {"north", extent.high[1]},
+                              {"units", made.units},
+                              {"notes", made.notes}});
+    }
+    *context.out << fmt::format("{}: {:.1f} x {:.1f} m at 1:{:g}, {} units\n", options.file,
+                                extent.high[0] - extent.low[0], extent.high[1] - extent.low[1],
+                                parse_scale(options.scale), made.units.size());
+    for (const std::string& note : made.notes) context.say(note);
+}
+
+void add_paper(CLI::App& command, Options& options) {
+    command.add_option("-o,--output", options.file, "F.png or F.pdf")->required();
+    command.add_option("--scale", options.scale, "1:20, 1:50, …")->capture_default_str();
+    command.add_option("--dpi", options.dpi, "of a PNG")->check(CLI::Range(20.0, 1200.0))->capture_default_str();
+    command.add_option("--cell", options.plan.cell, "of the picture under the outlines, in metres")
+        ->check(CLI::Range(0.002, 10.0))
+        ->capture_default_str();
+}
+
+} // namespace
+
+void add_plan_commands(CLI::App& root, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* plan =
+        add_command(root, context, "plan", "draw a surface with its outlines, numbers and levels to scale");
+    plan->add_option("--surface", options->plan.surface, "name, DAY or AREA::NAME (default: the last one)");
+    plan->add_option("--over", options->plan.over, "a unit: its outlines on successive surfaces, one over the other");
+    plan->add_flag("--colour", options->plan.colour, "scan colour (or reflectance) in place of the shaded relief");
+    add_paper(*plan, *options);
+    plan->callback([&context, options] { run_plan(context, *options); });
+}
+
+} // namespace planum::cli

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "paint/map_sheet_painter.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/error.hpp"
+#include "paint/map_page.hpp"
+#include "paint/qt_runtime.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace planum;
+using namespace planum::paint;
+
+namespace {
+
+geometry::MapSheet trench() {
+    geometry::MapSheet sheet;
+    sheet.extent = {{100.0, 200.0}, {104.0, 202.0}};
+    sheet.title = "Plan";
+    sheet.shapes.push_back({{{{{100.5, 200.5, 0}, {103.0, 200.5, 0}, {103.0, 201.5, 0}}}}, {}});
+    sheet.labels.push_back({102.5, 201.0, "1008", "49.51"});
+    sheet.marks.push_back({101.0, 201.0, geometry::SheetSign::Level, "49.49"});
+    sheet.keys.push_back({"layer", {}, geometry::SheetSign::None});
+    return sheet;
+}
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
+    return value;
+}
+
+} // namespace
+
+TEST_CASE("A metre of a plan is as long on paper as its scale says") {
+    ensure_qt_runtime();
+    const MapPage page = lay_out_map(trench(), 20.0);
+    CHECK(page.points_per_metre == Approx(50.0 / 25.4 * 72.0)); // 1 : 20 makes a metre 5 cm
+    CHECK(page.frame.width() == Approx(4.0 * page.points_per_metre));
+    CHECK(page.on_paper(trench(), 100.0, 202.0) == page.frame.topLeft());
+    CHECK(page.frame.right() < page.width);
+    CHECK(page.foot > page.frame.bottom());
+    CHECK(page.keys.at(0).base_line < page.height);
+}
+
+TEST_CASE("A plan comes out the same twice, in its size") {
+    const std::string png = render_map_png(trench(), {20.0, 100.0});
+    CHECK(png == render_map_png(trench(), {20.0, 100.0}));
+    CHECK(png.substr(1, 3) == "PNG");
+    const MapPage page = lay_out_map(trench(), 20.0);
+    CHECK(big_endian(png, 16) == static_cast<std::uint32_t>(std::ceil(page.width * 100.0 / 72.0)));
+    const std::string pdf = render_map_pdf(trench(), {20.0, 100.0}, Progress::none());
+    CHECK(pdf.substr(0, 5) == "%PDF-");
+    CHECK(pdf == render_map_pdf(trench(), {20.0, 100.0}, Progress::none()));
+    CHECK(pdf.find("/MediaBox [0 0 842") != std::string::npos); // A4 across holds it
+}
+
+TEST_CASE("A plan that has no extent, no scale or no end is refused with what would do") {
+    CHECK_THROWS_AS(render_map_png({}, {}), Error);
+    CHECK_THROWS_AS(render_map_png(trench(), {0.0, 100.0}), Error);
+    try {
+        (void)render_map_png(trench(), {0.05, 100.0});
+        FAIL("a picture of 80 m was made");
+    } catch (const Error& e) {
+        const std::string message = e.what();
+        const std::size_t at = message.rfind("1:");
+        REQUIRE(at != std::string::npos);
+        CHECK_NOTHROW((void)render_map_png(trench(), {std::stod(message.substr(at + 2)), 100.0}));
+    }
+}
+
+TEST_CASE("Lengths of scale bars are round") {
+    CHECK(round_length(3.7) == 2.0);
+    CHECK(round_length(0.99) == 0.5);
+    CHECK(round_length(10.0) == 10.0);
+}
