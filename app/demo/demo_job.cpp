@@ -16,6 +16,7 @@
 #include "app/scans/days_surface.hpp"
 #include "app/scans/list_scans.hpp"
 #include "app/scans/panorama_file.hpp"
+#include "app/scans/take_over_scans.hpp"
 #include "core/base/file.hpp"
 #include "strat/layout/svg_writer.hpp"
 
@@ -92,6 +93,9 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
 
     job.mistaken_project = folder / "with-mistakes.gpkg";
     Project mistaken = project_of(job.mistaken_project, folder / "with-mistakes", options.method, session, progress);
+    // The scans are the same; only what stands on the sheets is wrong.
+    take_over_scans(mistaken, project, progress);
+    import_outlines_of(mistaken, folder, progress);
     const DailyCheck found = check_project(mistaken, {}, progress);
     job.errors_mistaken = found.count(model::Severity::Error);
     job.warnings_mistaken = found.count(model::Severity::Warning);

@@ -31,9 +31,9 @@ struct DemoJob {
 };
 
 /// Simulates a dig, writes it into `folder` (see demo::write_demo) and runs the job on it: a project from the
-/// sheets with the scans, markers and outlines, one from the copy with mistakes, both checked; matrix.svg, report.html,
-/// report.xml and panorama.png of the first. The scans of a small dig are registered; larger ones take minutes, which
-/// are left to the user. Throws Conflict when the folder is not empty.
+/// sheets with the scans, markers and outlines, one from the copy with mistakes that takes the same scans over, both
+/// checked; matrix.svg, report.html, report.xml and panorama.png of the first. The scans of a small dig are registered;
+/// larger ones take minutes, which are left to the user. Throws Conflict when the folder is not empty.
 [[nodiscard]] DemoJob run_demo_job(const std::filesystem::path& folder, const demo::SimulationOptions& options,
                                    const Session& session, const strat::TextMeasure& measure, Progress& progress);
 

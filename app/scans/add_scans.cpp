@@ -101,12 +101,6 @@ std::string day_for(const fs::path& file, const scans::CloudHeader& header, cons
                                                   "(2025-06-01) or say --day 2025-06-01");
 }
 
-std::string path_to_keep(const fs::path& project, const fs::path& file) {
-    const fs::path whole = fs::weakly_canonical(file);
-    const fs::path relative = whole.lexically_relative(fs::weakly_canonical(fs::absolute(project)).parent_path());
-    return relative.empty() ? whole.string() : relative.string();
-}
-
 class Planner {
   public:
     Planner(Project& project, const AddScansOptions& options) : project_(project), options_(options) {

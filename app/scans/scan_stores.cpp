@@ -29,6 +29,12 @@ fs::path original_path(const fs::path& project, const model::Scan& scan) {
     return path.is_absolute() ? path : (project.parent_path() / path).lexically_normal();
 }
 
+std::string path_to_keep(const fs::path& project, const fs::path& file) {
+    const fs::path whole = fs::weakly_canonical(file);
+    const fs::path relative = whole.lexically_relative(fs::weakly_canonical(fs::absolute(project)).parent_path());
+    return relative.empty() ? whole.string() : relative.string();
+}
+
 std::string stated_columns(const model::Scan& scan) {
     const std::size_t blank = scan.format.find(' ');
     return blank == std::string::npos ? std::string() : scan.format.substr(blank + 1);

@@ -24,6 +24,9 @@ namespace planum::app {
 /// Where the original of a scan should be; relative paths count from the project file.
 [[nodiscard]] std::filesystem::path original_path(const std::filesystem::path& project, const model::Scan& scan);
 
+/// How a project remembers an original: relative to the project file where there is a way, else whole.
+[[nodiscard]] std::string path_to_keep(const std::filesystem::path& project, const std::filesystem::path& file);
+
 /// The points of a scan. A store that is missing or no sound file is made again from the original, whose
 /// hash must be the recorded one. Throws NotFound or BadInput with the name of the scan and what to do.
 [[nodiscard]] std::shared_ptr<const scans::PointStore> open_store(const std::filesystem::path& project,
