@@ -183,9 +183,10 @@ std::string list_names(const std::vector<std::string>& names, std::size_t limit)
     return text;
 }
 
-std::string path_text(const CheckContext& context, std::span<const std::uint32_t> orders, std::size_t limit) {
+std::string path_text(const CheckContext& context, std::span<const std::uint32_t> orders, std::size_t limit,
+                      PathEnds ends) {
     std::vector<std::string> steps;
-    UnitIndex before = model::kNoUnit; // where the last step ended; the next may begin at its same_as
+    UnitIndex before = ends.later; // where the last step ended; the next may begin at its same_as
     for (const std::uint32_t order : orders) {
         const auto because = context.matrix.because(order);
         if (because.empty()) continue;
@@ -196,6 +197,9 @@ std::string path_text(const CheckContext& context, std::span<const std::uint32_t
         }
         steps.push_back(step + context.sentence(because.front()));
         before = context.object[because.front()];
+    }
+    if (!steps.empty() && ends.earlier != model::kNoUnit && before != ends.earlier) {
+        steps.back() += fmt::format(", {} is the same as {}", context.name(before), context.name(ends.earlier));
     }
     std::string text;
     for (std::size_t i = 0; i < steps.size(); ++i) {

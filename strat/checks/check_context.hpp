@@ -103,9 +103,17 @@ using Findings = std::vector<model::Diagnostic>;
 [[nodiscard]] std::string year_text(model::Year year);
 /// `1, 2 and 3`; beyond `limit` names: `1, 2, 3 and 17 more`.
 [[nodiscard]] std::string list_names(const std::vector<std::string>& names, std::size_t limit);
-/// A chain of orders as a sentence: `1 covers 2, 2 cuts 3`. `orders` are positions in matrix.orders().
+
+/// Where a chain of orders begins and ends, if it matters which of the units that same_as makes one is meant.
+struct PathEnds {
+    UnitIndex later = model::kNoUnit;
+    UnitIndex earlier = model::kNoUnit;
+};
+
+/// A chain of orders as a sentence: `1 covers 2, 2 is the same as 3, 3 cuts 4`. `orders` are positions in
+/// matrix.orders(). With `ends` the same_as between them and the chain is named too.
 [[nodiscard]] std::string path_text(const CheckContext& context, std::span<const std::uint32_t> orders,
-                                    std::size_t limit);
+                                    std::size_t limit, PathEnds ends = {});
 /// The relations a chain of orders rests on, one an order (the first of each).
 [[nodiscard]] std::vector<model::NamedRelation> path_relations(const CheckContext& context,
                                                                std::span<const std::uint32_t> orders);

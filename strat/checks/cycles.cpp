@@ -80,6 +80,14 @@ std::string suspect_text(const CheckContext& c, const model::Suspect& suspect) {
     return std::visit(Visitor{c}, suspect.what);
 }
 
+// A circle ends where it began, be it by a same_as.
+std::string circle_text(const CheckContext& c, std::span<const std::uint32_t> circle, std::size_t limit) {
+    const auto because = c.matrix.because(circle.front());
+    if (because.empty()) return path_text(c, circle, limit);
+    const UnitIndex begin = c.subject[because.front()];
+    return path_text(c, circle, limit, {begin, begin});
+}
+
 model::Diagnostic describe(const CheckContext& c, const CycleGroup& group, const GroupVerdict& verdict,
                            bool by_same_as) {
     const auto cycles = proofs(group, verdict);
@@ -88,7 +96,7 @@ model::Diagnostic describe(const CheckContext& c, const CycleGroup& group, const
         for (const UnitIndex u : c.matrix.members(node)) d.units.push_back(c.unit(u).id);
     }
     d.message = fmt::format("{} units lie above one another in a circle{}: {}", d.units.size(),
-                            by_same_as ? " once same-as is applied" : "", path_text(c, cycles.front(), kStepsInText));
+                            by_same_as ? " once same-as is applied" : "", circle_text(c, cycles.front(), kStepsInText));
     if (verdict.cannot_tell) {
         d.message += "; nothing in the record tells which of these is wrong";
     } else if (!verdict.suspects.empty()) {
@@ -99,7 +107,7 @@ model::Diagnostic describe(const CheckContext& c, const CycleGroup& group, const
             if (std::find(d.relations.begin(), d.relations.end(), relation) == d.relations.end())
                 d.relations.push_back(relation);
         }
-        d.evidence[fmt::format("cycle_{}", i + 1)] = path_text(c, cycles[i], 40);
+        d.evidence[fmt::format("cycle_{}", i + 1)] = circle_text(c, cycles[i], 40);
     }
     d.evidence["units"] = static_cast<std::int64_t>(d.units.size());
     d.evidence["orders"] = static_cast<std::int64_t>(group.arcs.size());

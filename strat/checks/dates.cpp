@@ -203,7 +203,7 @@ class DateCheck {
             }
         }
         if (!reported_.emplace(later, bound.origin).second) return;
-        auto d = described(later, bound.origin, path_text(c_, path, 6));
+        auto d = described(later, bound.origin, path_text(c_, path, 6, {later, bound.origin}));
         d.relations = path_relations(c_, path);
         d.evidence["direct"] = std::int64_t{0};
         d.evidence["steps"] = static_cast<std::int64_t>(path.size());

@@ -78,13 +78,17 @@ void add_contemporary_ordered(const CheckContext& c, Findings& findings) {
         if (a == b) continue;
         NodeIndex later = a;
         NodeIndex earlier = b;
-        if (!c.matrix.is_later(later, earlier)) std::swap(later, earlier);
+        PathEnds ends{c.subject[r], c.object[r]};
+        if (!c.matrix.is_later(later, earlier)) {
+            std::swap(later, earlier);
+            std::swap(ends.later, ends.earlier);
+        }
         if (!c.matrix.is_later(later, earlier)) continue;
         const auto path = c.matrix.shortest_path(later, earlier);
         const bool bonds = c.record.relations[r].kind == model::RelationKind::BondsWith;
-        auto d =
-            make_diagnostic(bonds ? Severity::Error : Severity::Warning, "contemporary-ordered",
-                            fmt::format("{}, yet {} puts one after the other", c.sentence(r), path_text(c, path, 8)));
+        auto d = make_diagnostic(
+            bonds ? Severity::Error : Severity::Warning, "contemporary-ordered",
+            fmt::format("{}, yet {} puts one after the other", c.sentence(r), path_text(c, path, 8, ends)));
         d.units = {c.unit(c.subject[r]).id, c.unit(c.object[r]).id};
         d.relations = {c.named(r)};
         for (auto& relation : path_relations(c, path)) d.relations.push_back(relation);

@@ -188,7 +188,7 @@ class PhaseCheck {
                     remember(node, {b.origin, order});
                 } else if (!is_phased(lower) && phases_.compare(phased, b.origin).order == PhaseOrder::Earlier) {
                     const auto path = path_down(order, b.origin);
-                    add(phased, b.origin, path_text(c_, path, 6), path_relations(c_, path));
+                    add(phased, b.origin, path_text(c_, path, 6, {phased, b.origin}), path_relations(c_, path));
                 }
             }
         }

@@ -147,6 +147,15 @@ TEST_CASE("A date contradiction across undated units names the path") {
     CHECK(std::get<std::int64_t>(said[0].evidence.at("direct")) == 0);
 }
 
+TEST_CASE("A date contradiction names the same-as that its path goes over, also at its ends") {
+    SmallRecord r;
+    r.covers("1", "2").relate("2", RelationKind::SameAs, "3").relate("4", RelationKind::SameAs, "1");
+    r.dating("4", model::DatingKind::AnteQuem, 100, 100).dating("3", model::DatingKind::PostQuem, 300, 300);
+    const auto said = r.said("date-contradiction");
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].message.rfind("4 is the same as 1, 1 covers 2, 2 is the same as 3, but 4 ", 0) == 0);
+}
+
 TEST_CASE("A longer date contradiction is silent where a shorter one lies on its path") {
     SmallRecord r;
     r.covers("1", "2").covers("2", "3");
