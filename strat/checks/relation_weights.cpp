@@ -236,7 +236,8 @@ void RelationWeights::gather_statements(RelationIndex relation, Gathered& g) con
         g.add(capped(-std::log(kBothWrong)), "both sheets state it");
     } else {
         g.add(capped(std::log((1.0 - both) / (1.0 - kBothWrong * both))),
-              "only one of the two sheets states it, where most relations stand on both");
+              sides.both > sides.one ? "only one of the two sheets states it, where most relations stand on both"
+                                     : "only one of the two sheets states it");
     }
 }
 

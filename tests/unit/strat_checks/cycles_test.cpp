@@ -117,6 +117,33 @@ TEST_CASE("A circle that only same-as makes names the same-as, correlations firs
     CHECK(said[0].units.size() == 6);
     CHECK(text(r, said[0].suspects.front()) == "1=6");
     CHECK(text(r, said[0].suspects[1]) == "3=4");
+    // Two same-as hold the circle together, and whatever unit it is begun at, both are said.
+    const std::string circle = std::get<std::string>(said[0].evidence.at("cycle_1"));
+    CHECK(circle.find("3 is the same as 4") != std::string::npos);
+    CHECK(circle.find("6 is the same as 1") != std::string::npos);
+}
+
+TEST_CASE("A statement from one sheet is compared with most relations only where most stand on both") {
+    const auto reasons_say = [](std::size_t on_both, std::string_view what) {
+        SmallRecord r;
+        for (std::size_t i = 0; i < 20; ++i) {
+            r.covers(std::to_string(100 + i), std::to_string(101 + i),
+                     i < on_both ? SmallRecord::Sides::Both : SmallRecord::Sides::Subject);
+        }
+        r.covers("1", "2").covers("2", "3").covers("3", "1", SmallRecord::Sides::Subject);
+        const auto said = r.said("cycle");
+        for (const model::Suspect& suspect : said.at(0).suspects) {
+            for (const std::string& reason : suspect.reasons) {
+                if (reason == what) return true;
+            }
+        }
+        return false;
+    };
+    const std::string_view often = "only one of the two sheets states it, where most relations stand on both";
+    const std::string_view plain = "only one of the two sheets states it";
+    CHECK(reasons_say(16, often));
+    CHECK_FALSE(reasons_say(4, often));
+    CHECK(reasons_say(4, plain));
 }
 
 TEST_CASE("A unit above one that it is the same as is named as made by same-as") {
