@@ -33,10 +33,12 @@ class FieldMerge {
                fmt::format("{}", *offered));
     }
 
-    template<class Tag>
-    void id(const std::string& field, Id<Tag>& kept, const Id<Tag>& offered) {
+    /// `name_of` gives the name by which people know what an id stands for.
+    template<class Tag, class NameOf>
+    void id(const std::string& field, Id<Tag>& kept, const Id<Tag>& offered, const NameOf& name_of) {
         if (offered.is_nil() || kept == offered) return;
-        settle(field, kept, offered, kept.is_nil(), kept.to_string(), offered.to_string());
+        const bool differs = !kept.is_nil();
+        settle(field, kept, offered, !differs, differs ? name_of(kept) : "", differs ? name_of(offered) : "");
     }
 
     template<class Enum>

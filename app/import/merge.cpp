@@ -88,6 +88,21 @@ class Merge {
         return {what, options_.update, changed, plan_.conflicts};
     }
 
+    // The number by which people know something, found by its id.
+    template<class T>
+    static auto name_in(const KeptByNumber<T>& things) {
+        return [&things](decltype(T::id) id) {
+            for (const auto& [key, kept] : things) {
+                if (kept.value.id == id) return kept.value.number;
+            }
+            return std::string{};
+        };
+    }
+
+    auto unit_name() {
+        return [this](model::UnitId id) { return units_.display_of(id); };
+    }
+
     template<class T>
     static void give(KeptByNumber<T>& from, std::vector<T>& fresh, std::vector<T>* changed) {
         for (auto& [number, kept] : from) {
@@ -188,7 +203,7 @@ void Merge::merge_chronology(const ImportSet& set) {
         FieldMerge merge = fields("phase " + offered.values.number, kept.is_changed);
         merge.text("title", kept.value.title, offered.values.title);
         merge.text("description", kept.value.description, offered.values.description);
-        merge.id("period", kept.value.period, period);
+        merge.id("period", kept.value.period, period, name_in(periods_));
         merge.optional("from", kept.value.from, offered.values.from);
         merge.optional("to", kept.value.to, offered.values.to);
         merge.optional("rank", kept.value.rank, offered.values.rank);
@@ -236,7 +251,7 @@ void Merge::merge_sheet(const strat::ImportedUnit& sheet) {
             unit.number, units_.area_name(unit.area), units_.area_name(area)));
     }
     FieldMerge merge = fields(what, entry.is_changed);
-    merge.id("area", unit.area, area);
+    merge.id("area", unit.area, area, [&](model::AreaId id) { return units_.area_name(id); });
     merge.choice("kind", unit.kind, offered.kind, model::UnitKind::Unknown);
     merge.choice("form", unit.form, offered.form, model::UnitForm::None);
     merge.choice("status", unit.status, offered.status, model::UnitStatus::Open);
@@ -251,9 +266,9 @@ void Merge::merge_sheet(const strat::ImportedUnit& sheet) {
         if (value.empty()) continue;
         merge.text(field, unit.details[field], value);
     }
-    merge.id("phase", unit.phase, phase_of(sheet));
+    merge.id("phase", unit.phase, phase_of(sheet), name_in(phases_));
     if (const auto it = periods_.find(sheet.period); it != periods_.end()) {
-        merge.id("period", unit.period, it->second.value.id);
+        merge.id("period", unit.period, it->second.value.id, name_in(periods_));
     }
 }
 
@@ -265,7 +280,8 @@ void Merge::merge_parents(const ImportSet& set) {
         if (parent == position) continue;
         const model::UnitId parent_id = units_.at(parent).unit.id;
         UnitTable::Entry& entry = units_.at(position);
-        fields("unit " + units_.display(position), entry.is_changed).id("parent", entry.unit.parent, parent_id);
+        fields("unit " + units_.display(position), entry.is_changed)
+            .id("parent", entry.unit.parent, parent_id, unit_name());
     }
 }
 
@@ -345,7 +361,7 @@ void Merge::merge_groups(const ImportSet& set) {
         if (parent == groups_.end() || offered.parent == offered.values.number) continue;
         Kept<model::UnitGroup>& kept = groups_.at(offered.values.number);
         fields("group " + offered.values.number, kept.is_changed)
-            .id("parent", kept.value.parent, parent->second.value.id);
+            .id("parent", kept.value.parent, parent->second.value.id, name_in(groups_));
     }
 }
 
@@ -365,7 +381,7 @@ void Merge::merge_finds(const ImportSet& set) {
             continue;
         }
         FieldMerge merge = fields("find " + offered.values.number, kept.is_changed);
-        merge.id("unit", kept.value.unit, unit);
+        merge.id("unit", kept.value.unit, unit, unit_name());
         merge.optional("x", kept.value.x, offered.values.x);
         merge.optional("y", kept.value.y, offered.values.y);
         merge.optional("z", kept.value.z, offered.values.z);

@@ -80,6 +80,13 @@ std::string UnitTable::area_name(model::AreaId id) const {
     return it == area_names_.end() ? std::string{} : it->second;
 }
 
+std::string UnitTable::display_of(model::UnitId id) const {
+    for (std::size_t position = 0; position < entries_.size(); ++position) {
+        if (entries_[position].unit.id == id) return display(position);
+    }
+    return {};
+}
+
 std::string UnitTable::display(std::size_t position) const {
     const model::StratigraphicUnit& unit = entries_[position].unit;
     const std::string area = area_name(unit.area);

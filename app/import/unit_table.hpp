@@ -44,6 +44,8 @@ class UnitTable {
 
     /// `NUMBER`, with its area in front in `Area` scope.
     [[nodiscard]] std::string display(std::size_t position) const;
+    /// Empty for a unit that is not here. Looks through all units: for a sentence now and then.
+    [[nodiscard]] std::string display_of(model::UnitId id) const;
 
   private:
     [[nodiscard]] std::string key(const std::string& area, const std::string& number) const;

@@ -115,6 +115,26 @@ TEST_CASE("With update the file's value stands, and both are still reported") {
     CHECK(plan.conflicts.at(0).replaced);
 }
 
+TEST_CASE("Differing areas, phases and features are reported by their names") {
+    Bench bench;
+    auto set = a_set("units.csv");
+    set.record.units = {a_sheet("1", "", "A"), a_sheet("2"), a_sheet("3")};
+    set.record.phases.resize(2);
+    set.record.phases[0].values.number = "I";
+    set.record.phases[1].values.number = "II";
+    set.record.units[0].phase = "I";
+    set.record.units[0].parent = {"", "2"};
+    const auto record = bench.merged({}, {set});
+    set.record.units[0].name.area = "B";
+    set.record.units[0].phase = "II";
+    set.record.units[0].parent = {"", "3"};
+    const auto plan = bench.plan(record, {set});
+    std::vector<std::string> said;
+    for (const app::MergeConflict& c : plan.conflicts) said.push_back(c.field + ": " + c.kept + ", " + c.offered);
+    std::sort(said.begin(), said.end());
+    CHECK(said == std::vector<std::string>{"area: A, B", "parent: 2, 3", "phase: I, II"});
+}
+
 TEST_CASE("A unit only mentioned becomes recorded when its sheet arrives") {
     Bench bench;
     auto relations = a_set("relations.csv");
