@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/context.hpp"
+#include "core/base/error.hpp"
 #include "strat/layout/layout_worker.hpp"
 
 int main(int argc, char** argv) {
@@ -12,5 +13,8 @@ int main(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const int status = planum::cli::run_command_line(arguments, std::cout, std::cerr);
     std::cout.flush();
-    return status;
+    if (std::cout || status > 1) return status;
+    // Whoever reads the output must not take a part of it for all.
+    std::cerr << "planum: the output could not be written in full; is the disk full?\n";
+    return planum::exit_status(planum::ErrorCode::Io);
 }
