@@ -225,10 +225,6 @@
         <translation>%1, Zeile %2: %3</translation>
     </message>
     <message>
-        <source>%1: placed, position within %2 mm. %3</source>
-        <translation>%1: eingepasst, Lage auf %2 mm. %3</translation>
-    </message>
-    <message>
         <source>%1: not placed. %2</source>
         <translation>%1: nicht eingepasst. %2</translation>
     </message>
@@ -299,6 +295,14 @@
     <message>
         <source>backup written to %1</source>
         <translation>Sicherung geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans placed on the site grid</source>
+        <translation>%1 von %2 Scans ins Grabungsnetz eingepasst</translation>
+    </message>
+    <message>
+        <source>%1: placed with doubt. %2</source>
+        <translation>%1: mit Zweifel eingepasst. %2</translation>
     </message>
 </context>
 <context>
@@ -505,6 +509,10 @@
     <message>
         <source>No drawing yet.</source>
         <translation>Noch keine Zeichnung.</translation>
+    </message>
+    <message>
+        <source>No units to draw. Import lists of units and relations, or add a unit in the record card.</source>
+        <translation>Keine Befunde zu zeichnen. Listen von Befunden und Beziehungen importieren oder im Befundbogen einen Befund anlegen.</translation>
     </message>
 </context>
 <context>
@@ -792,10 +800,6 @@
         <translation>nichts widerspricht sich</translation>
     </message>
     <message>
-        <source>%1 errors, %2 warnings, %3 remarks</source>
-        <translation>%1 Fehler, %2 Warnungen, %3 Hinweise</translation>
-    </message>
-    <message>
         <source>%1 relations state an order</source>
         <translation>%1 Beziehungen geben eine Reihenfolge an</translation>
     </message>
@@ -822,6 +826,27 @@
     <message>
         <source>  · new</source>
         <translation>  · neu</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n Fehler</numerusform>
+            <numerusform>%n Fehler</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n Warnung</numerusform>
+            <numerusform>%n Warnungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n remark(s)</source>
+        <translation>
+            <numerusform>%n Hinweis</numerusform>
+            <numerusform>%n Hinweise</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -225,10 +225,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: placed, position within %2 mm. %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: not placed. %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -298,6 +294,14 @@
     </message>
     <message>
         <source>backup written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans placed on the site grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: placed with doubt. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -504,6 +508,10 @@
     </message>
     <message>
         <source>No drawing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No units to draw. Import lists of units and relations, or add a unit in the record card.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -792,10 +800,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 errors, %2 warnings, %3 remarks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 relations state an order</source>
         <translation type="unfinished"></translation>
     </message>
@@ -822,6 +826,27 @@
     <message>
         <source>  · new</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n remark(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>

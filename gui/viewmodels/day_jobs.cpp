@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gui/viewmodels/day_jobs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string_view>
@@ -57,13 +58,18 @@ ImportPreview in_words(const app::ImportReport& report) {
 }
 
 QStringList in_words(const app::RegistrationReport& report) {
+    // Where each scan stands is in the list of scans; here is what wants attention.
     QStringList lines;
+    const auto placed = std::count_if(report.scans.begin(), report.scans.end(),
+                                      [](const app::ReportedScan& scan) { return scan.status == "registered"; });
+    if (!report.scans.empty()) {
+        lines << DayJobs::tr("%1 of %2 scans placed on the site grid").arg(placed).arg(report.scans.size());
+    }
     for (const app::ReportedScan& scan : report.scans) {
-        lines << (scan.status == "registered" ? DayJobs::tr("%1: placed, position within %2 mm. %3")
-                                                    .arg(qt(scan.scan))
-                                                    .arg(1000.0 * scan.sigma_position, 0, 'f', 1)
-                                                    .arg(qt(scan.verdict))
-                                              : DayJobs::tr("%1: not placed. %2").arg(qt(scan.scan), qt(scan.verdict)));
+        if (scan.status == "registered" && !scan.is_poor) continue;
+        const QString line =
+            scan.status == "registered" ? DayJobs::tr("%1: placed with doubt. %2") : DayJobs::tr("%1: not placed. %2");
+        lines << line.arg(qt(scan.scan), qt(scan.verdict));
     }
     for (const std::string& note : report.notes) lines << qt(note);
     return lines;

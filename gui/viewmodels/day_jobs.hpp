@@ -57,7 +57,7 @@ class DayJobs : public QObject {
 
   signals:
     void previewed(const planum::gui::ImportPreview& preview);
-    /// Where each scan stands now, and why one could not be placed: a line each.
+    /// How many scans were placed, then a line for each that was not, or with doubt.
     void registered(const QStringList& lines);
     /// One sentence about what was done.
     void done(const QString& sentence);

@@ -159,7 +159,9 @@ QString ProblemListModel::summary() const {
     const int warnings = count(model::Severity::Warning);
     const int remarks = count(model::Severity::Info);
     if (errors + warnings + remarks == 0) return tr("nothing contradicts anything");
-    return tr("%1 errors, %2 warnings, %3 remarks").arg(errors).arg(warnings).arg(remarks);
+    return QStringList{tr("%n error(s)", nullptr, errors), tr("%n warning(s)", nullptr, warnings),
+                       tr("%n remark(s)", nullptr, remarks)}
+        .join(QStringLiteral(", "));
 }
 
 QStringList ProblemListModel::coverage() const {

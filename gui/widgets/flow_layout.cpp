@@ -35,16 +35,23 @@ bool FlowLayout::hasHeightForWidth() const { return true; }
 
 int FlowLayout::heightForWidth(int width) const { return flow(QRect(0, 0, width, 0), Place::Measure); }
 
+QSize FlowLayout::margins() const {
+    const QMargins m = contentsMargins();
+    return {m.left() + m.right(), m.top() + m.bottom()};
+}
+
 QSize FlowLayout::minimumSize() const {
     QSize least;
-    for (const auto& item : items_) least = least.expandedTo(item->minimumSize());
-    return least;
+    for (const auto& item : items_)
+        if (!item->isEmpty()) least = least.expandedTo(item->minimumSize());
+    return least + margins();
 }
 
 QSize FlowLayout::sizeHint() const {
     int width = 0;
-    for (const auto& item : items_) width += item->sizeHint().width() + spacing();
-    return {std::max(0, width - spacing()), minimumSize().height()};
+    for (const auto& item : items_)
+        if (!item->isEmpty()) width += item->sizeHint().width() + spacing();
+    return {std::max(0, width - spacing()) + margins().width(), minimumSize().height()};
 }
 
 void FlowLayout::setGeometry(const QRect& rect) {
@@ -52,11 +59,13 @@ void FlowLayout::setGeometry(const QRect& rect) {
     flow(rect, Place::Move);
 }
 
-int FlowLayout::flow(const QRect& rect, Place place) const {
+int FlowLayout::flow(const QRect& whole, Place place) const {
+    const QRect rect = whole.marginsRemoved(contentsMargins());
     int x = rect.left();
     int y = rect.top();
     int line = 0;
     for (const auto& item : items_) {
+        if (item->isEmpty()) continue; // hidden
         const QSize size = item->sizeHint();
         if (x > rect.left() && x + size.width() > rect.right() + 1) {
             x = rect.left();
@@ -68,7 +77,7 @@ int FlowLayout::flow(const QRect& rect, Place place) const {
         x += size.width() + spacing();
         line = std::max(line, size.height());
     }
-    return y + line - rect.top();
+    return y + line - rect.top() + margins().height();
 }
 
 } // namespace planum::gui

@@ -30,7 +30,8 @@ class FlowLayout : public QLayout {
 
   private:
     enum class Place { Measure, Move };
-    int flow(const QRect& rect, Place place) const; ///< returns the height
+    int flow(const QRect& whole, Place place) const; ///< returns the height
+    [[nodiscard]] QSize margins() const;
 
     std::vector<std::unique_ptr<QLayoutItem>> items_;
 };

@@ -37,9 +37,9 @@ void choose_language(const QString& code) { QSettings().setValue(kKey, code); }
 
 void apply_language(const QString& code) {
     const QString wanted = code.isEmpty() ? chosen_language() : code;
-    if (wanted == QLatin1String("en")) return;
     auto* own = new QTranslator(qApp);
     if (own->load(QStringLiteral(":/translations/planum_%1.qm").arg(wanted))) QCoreApplication::installTranslator(own);
+    if (wanted == QLatin1String("en")) return; // only its plurals
     // File dialogs and the like, where Qt's own translations are installed.
     auto* qt_own = new QTranslator(qApp);
     if (qt_own->load(QStringLiteral("qtbase_") + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {

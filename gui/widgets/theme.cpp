@@ -3,8 +3,12 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QImage>
+#include <QPainter>
 #include <QPalette>
+#include <QPolygonF>
 #include <QStyleFactory>
+#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -91,6 +95,21 @@ QPalette palette_of(const Theme& t) {
     return p;
 }
 
+// Style sheets take an arrow from a file only.
+QString arrow_file(const QColor& ink) {
+    static const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("arrow%1.png").arg(ink.name().mid(1)));
+    QImage image(40, 40, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(ink, 6.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(QPolygonF({QPointF(6.0, 14.0), QPointF(20.0, 28.0), QPointF(34.0, 14.0)}));
+    painter.end();
+    image.save(file);
+    return file;
+}
+
 QString sheet_of(const Theme& t) {
     QString sheet = QStringLiteral(R"(
 QMainWindow::separator { background: %edge; width: 1px; height: 1px; }
@@ -108,7 +127,8 @@ QLineEdit, QComboBox, QPlainTextEdit { border: 1px solid %edge; border-radius: 4
   background: %paper; color: %ink; selection-background-color: %accent; selection-color: %on; }
 QLineEdit, QComboBox { min-height: %buttonpx; }
 QLineEdit:focus, QComboBox:focus, QPlainTextEdit:focus { border: 2px solid %accent; padding: 1px 5px; }
-QComboBox::drop-down { border: none; width: 18px; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::down-arrow { image: url(%arrow); width: 10px; height: 10px; }
 QTableView, QListView, QTreeView { border: none; background: %paper; gridline-color: transparent; outline: none; }
 QHeaderView::section { background: %window; color: %faint; border: none; border-bottom: 1px solid %edge; padding: 5px 8px; }
 QTabBar::tab { padding: 7px 16px; background: transparent; color: %faint; border: none; border-bottom: 3px solid transparent; }
@@ -116,6 +136,7 @@ QTabBar::tab:selected { color: %ink; border-bottom: 3px solid %accent; }
 QTabWidget::pane { border: none; border-top: 1px solid %edge; }
 QStatusBar { border-top: 1px solid %edge; background: %window; color: %faint; }
 QStatusBar::item { border: none; }
+QStatusBar QLabel { padding: 0 8px; }
 QToolTip { border: 1px solid %edge; background: %paper; color: %ink; padding: 4px; }
 QScrollArea { border: none; background: %paper; }
 #card { background: %paper; }
@@ -130,6 +151,7 @@ QFrame[role="line"] { background: %edge; max-height: 1px; min-height: 1px; borde
     const auto put = [&](const char* key, const QString& value) { sheet.replace(QLatin1String(key), value); };
     put("%titlept", QString::number(t.text_points * 1.3) + QStringLiteral("pt"));
     put("%buttonpx", QString::number(t.touch - 8) + QStringLiteral("px"));
+    put("%arrow", arrow_file(t.faint));
     put("%on", t.on_accent.name());
     put("%window", t.window.name());
     put("%paper", t.paper.name());

@@ -30,6 +30,7 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
     auto* top = new QHBoxLayout;
     const bool two_lines = choices.size() > 1;
     top->setContentsMargins(choices.isEmpty() ? 0 : 8, two_lines ? 6 : 0, 8, 0);
+    top->setSpacing(8);
     for (QWidget* choice : choices) top->addWidget(choice);
     if (two_lines) {
         top->addStretch(1);

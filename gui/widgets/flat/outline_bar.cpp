@@ -2,7 +2,6 @@
 #include "gui/widgets/flat/outline_bar.hpp"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
@@ -11,6 +10,7 @@
 
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
@@ -48,14 +48,19 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
     cancel_->setText(tr("Cancel"));
     cancel_->setToolTip(tr("Esc; can be taken back"));
     sentence_->setProperty("role", "faint");
-    auto* row = new QHBoxLayout(this);
+    // A narrow window gets a second line of tools instead of growing wider than the screen; whatever the sentence
+    // says, it takes the same room, so that the picture does not move between two corners.
+    sentence_->setFixedSize(300, theme().touch + 6);
+    sentence_->setWordWrap(true);
+    auto* row = new FlowLayout(6);
+    setLayout(row);
     row->setContentsMargins(8, 6, 8, 6);
     row->addWidget(draw_);
     for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_, back_, finish_, cancel_}) {
         part->setMinimumHeight(theme().touch);
         row->addWidget(part);
     }
-    row->addWidget(sentence_, 1);
+    row->addWidget(sentence_);
     OutlineTool& tool = models_.outline;
     connect(draw_, &QToolButton::clicked, this, &OutlineBar::toggle);
     connect(unit_, &QLineEdit::textEdited, &tool, &OutlineTool::set_unit);
@@ -105,6 +110,7 @@ void OutlineBar::refresh() {
     }
     finish_->setEnabled(tool.can_finish());
     sentence_->setText(active ? tool.unit_sentence() : why_not_);
+    sentence_->setVisible(active || !why_not_.isEmpty());
 }
 
 } // namespace planum::gui

@@ -139,9 +139,12 @@ std::optional<std::size_t> MatrixCanvas::box_at(QPointF on_screen) const {
 void MatrixCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), theme().window);
-    if (!drawing_) {
+    if (!drawing_ || drawing_->boxes.empty()) {
         painter.setPen(theme().faint);
-        const QString text = model_.trouble().isEmpty() ? tr("No drawing yet.") : model_.trouble();
+        const QString none = drawing_ ? tr("No units to draw. Import lists of units and relations, or add a unit in "
+                                           "the record card.")
+                                      : tr("No drawing yet.");
+        const QString text = model_.trouble().isEmpty() ? none : model_.trouble();
         painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, text);
         return;
     }

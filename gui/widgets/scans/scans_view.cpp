@@ -50,6 +50,7 @@ ScansView::ScansView(Models& models)
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->setColumnWidth(0, 180);
+    table_->setColumnWidth(3, 140);
     register_->setObjectName(QStringLiteral("registerScans"));
     register_->setToolTip(tr("Puts the scans on the site grid that are not there yet"));
     said_->setProperty("role", "faint");

@@ -179,8 +179,9 @@ void MainWindow::make_actions() {
 void MainWindow::make_status() {
     statusBar()->setSizeGripEnabled(false);
     state_->setObjectName(QStringLiteral("state"));
-    statusBar()->addWidget(state_);
+    // What was done is said at the left for a while; how things stand, at the right for good.
     statusBar()->addPermanentWidget(new JobSign(models_.workspace.jobs()));
+    statusBar()->addPermanentWidget(state_);
     statusBar()->addPermanentWidget(problems_);
 }
 

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/widgets/language.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/window/main_window.hpp"
 #include "tests/support/catch.hpp"
@@ -108,11 +109,11 @@ class Hands {
     }
 
     /// What is seen now, as FILE.png.
-    void picture(const char* name) {
+    void picture(const char* name, QWidget* of = nullptr) {
         settle_all();
         QTest::qWait(50);
         const std::filesystem::path file = folder_ / (std::string(name) + ".png");
-        CHECK(window.grab().save(QString::fromStdString(file.string())));
+        CHECK((of == nullptr ? &window : of)->grab().save(QString::fromStdString(file.string())));
     }
 
     [[nodiscard]] const model::Record& record() { return window.models().workspace.snapshot()->record(); }
@@ -130,6 +131,7 @@ class Hands {
                 new QApplication(argc, argv);
             }
             gui::apply_theme(gui::ThemeKind::Light);
+            gui::apply_language(QStringLiteral("en"));
         }
     } first_;
 

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The window: how soon a large project can be worked on, how long the window is deaf meanwhile, frames of 3D while the
+// camera moves and points once it stands still. Wants a display: xvfb-run -s "-screen 0 1680x1100x24".
+// Usage: bench_desktop [MILLION_POINTS]: points of the scans (8).
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QTableView>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/demo/record_generator.hpp"
+#include "app/scans/add_scans.hpp"
+#include "bench/bench_support.hpp"
+#include "gui/widgets/space/space_canvas.hpp"
+#include "gui/widgets/theme.hpp"
+#include "gui/widgets/window/main_window.hpp"
+
+using namespace planum;
+using namespace planum::gui;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kUnits = 5000;
+constexpr int kSurfaces = 100;
+constexpr int kScans = 4;
+constexpr int kPatience = 600'000; // [ms]
+
+template<class Values>
+void insert_all(app::Project& project, const Values& values) {
+    for (const auto& value : values) project.file().insert(value);
+}
+
+// 5,000 units with sheets, levels, finds and phases; 100 surfaces with the outlines of ten units each.
+void write_record(app::Project& project) {
+    app::RecordOptions options;
+    options.units = kUnits;
+    const model::Record record = app::generate_record(options).record;
+    project.change("Import", [&] {
+        insert_all(project, record.sources);
+        insert_all(project, record.areas);
+        insert_all(project, record.periods);
+        insert_all(project, record.phases);
+        insert_all(project, record.groups);
+        insert_all(project, record.units);
+        insert_all(project, record.relations);
+        insert_all(project, record.statements);
+        insert_all(project, record.levels);
+        insert_all(project, record.finds);
+        insert_all(project, record.datings);
+        for (int s = 0; s < kSurfaces; ++s) {
+            model::Surface surface;
+            surface.area = record.areas.front().id;
+            surface.first_day = fmt::format("2025-{:02}-{:02}", 1 + s / 25, 1 + s % 25);
+            surface.order = s;
+            surface.id = project.file().insert(surface);
+            for (int r = 0; r < 10; ++r) {
+                model::Region region;
+                region.surface = surface.id;
+                region.unit = record.units[static_cast<std::size_t>(s * 10 + r)].id;
+                const double x = r % 5 * 2.0;
+                const double y = r / 5 * 2.0;
+                region.outline = {
+                    {{{x, y, 50.0}, {x + 1.8, y, 50.0}, {x + 1.8, y + 1.8, 50.0}, {x, y + 1.8, 50.0}}, {}}};
+                project.file().insert(region);
+            }
+        }
+    });
+}
+
+// A rolling field of 20 by 20 m, as PLY.
+void write_scan(const fs::path& file, std::int64_t points, int number) {
+    std::ofstream out(file, std::ios::binary);
+    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << points
+        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float intensity\nend_header\n";
+    const auto side = static_cast<std::int64_t>(std::sqrt(static_cast<double>(points)));
+    std::vector<float> row;
+    std::int64_t written = 0;
+    for (std::int64_t r = 0; written < points; ++r) {
+        row.clear();
+        for (std::int64_t c = 0; c < side && written < points; ++c, ++written) {
+            const float x = 20.0F * static_cast<float>(c) / static_cast<float>(side) - 10.0F;
+            const float y = 20.0F * static_cast<float>(r) / static_cast<float>(side) - 10.0F;
+            const float z = 0.4F * std::sin(x + static_cast<float>(number)) * std::cos(0.7F * y);
+            row.insert(row.end(), {x, y, z, 0.5F + 0.4F * std::sin(9.0F * x * y)});
+        }
+        out.write(reinterpret_cast<const char*>(row.data()), static_cast<std::streamsize>(row.size() * sizeof(float)));
+    }
+}
+
+void write_scans(app::Project& project, const fs::path& folder, std::int64_t points) {
+    fs::create_directories(folder);
+    std::vector<fs::path> files;
+    for (int i = 0; i < kScans; ++i) {
+        files.push_back(folder / fmt::format("station{}.ply", i + 1));
+        write_scan(files.back(), points / kScans, i);
+    }
+    app::AddScansOptions options;
+    options.day = "2025-06-01";
+    app::add_scans(project, files, options, Progress::none());
+    const std::vector<model::Scan> scans = project.record().scans;
+    project.change("Place", [&] {
+        model::RegistrationRun run;
+        run.name = "bench";
+        run.state = "accepted";
+        run.made_at = project.clock().now();
+        const model::RegistrationRunId id = project.file().insert(run);
+        for (std::size_t i = 0; i < scans.size(); ++i) {
+            model::ScanPose pose;
+            pose.scan = scans[i].id;
+            pose.run = id;
+            pose.site_from_scan = {1, 0, 0, 10.0 + 0.5 * static_cast<double>(i), 0, 1, 0, 10, 0, 0, 1, 50, 0, 0, 0, 1};
+            project.file().insert(pose);
+        }
+    });
+}
+
+// Longest time between two turns of the event loop: for so long nothing that was pressed was answered.
+class Pulse {
+  public:
+    Pulse() {
+        since_.start();
+        beat_.start(0);
+        QObject::connect(&beat_, &QTimer::timeout, [this] { longest_ = std::max(longest_, since_.restart()); });
+    }
+
+    [[nodiscard]] qint64 longest() const noexcept { return longest_; } ///< [ms]
+
+  private:
+    QTimer beat_;
+    QElapsedTimer since_;
+    qint64 longest_ = 0;
+};
+
+double seconds_until(const std::function<bool()>& reached) {
+    QElapsedTimer timer;
+    timer.start();
+    while (!reached() && timer.elapsed() < kPatience) QApplication::processEvents(QEventLoop::AllEvents, 5);
+    return static_cast<double>(timer.nsecsElapsed()) / 1e9;
+}
+
+void measure_opening(MainWindow& window, const fs::path& site) {
+    auto* list = window.findChild<QTableView*>(QStringLiteral("unitTable"));
+    Pulse pulse;
+    QElapsedTimer timer;
+    timer.start();
+    window.open(site, store::OpenMode::ReadWrite);
+    seconds_until([&] { return list->model()->rowCount() == kUnits; });
+    window.grab();
+    fmt::print("units listed and painted: {:.2f} s\n", static_cast<double>(timer.elapsed()) / 1e3);
+    seconds_until([&] { return window.models().problems.is_checked(); });
+    fmt::print("checked: {:.2f} s\n", static_cast<double>(timer.elapsed()) / 1e3);
+    seconds_until([&] { return window.models().workspace.jobs().is_idle(); });
+    fmt::print("matrix drawn, all at rest: {:.2f} s\n", static_cast<double>(timer.elapsed()) / 1e3);
+    fmt::print("longest time without an answer: {} ms\n", pulse.longest());
+}
+
+void measure_space(MainWindow& window) {
+    window.show_view("3d");
+    QApplication::processEvents();
+    auto* canvas = window.findChild<SpaceCanvas*>();
+    if (canvas == nullptr) return fmt::print("no OpenGL here: 3D not measured\n"), void();
+    canvas->setParent(nullptr); // 1600 x 1000 for the drawing itself
+    canvas->resize(1600, 1000);
+    canvas->show();
+    seconds_until([&] { return canvas->drawn_points() >= 250'000; });
+    std::vector<double> frames;
+    std::size_t least = SIZE_MAX;
+    Pulse pulse;
+    QElapsedTimer timer;
+    timer.start();
+    for (int i = 0; i < 30; ++i) {
+        QKeyEvent key(QEvent::KeyPress, Qt::Key_Left, {});
+        QApplication::sendEvent(canvas, &key);
+        canvas->repaint();
+        frames.push_back(canvas->frame_milliseconds());
+        least = std::min(least, canvas->drawn_points());
+    }
+    const double rate = 30.0 / (static_cast<double>(timer.nsecsElapsed()) / 1e9);
+    std::sort(frames.begin(), frames.end());
+    fmt::print("moving, {} x {}: {} points a frame, {:.1f} frames/s, slowest frame {:.0f} ms\n", canvas->width(),
+               canvas->height(), least, rate, frames.back());
+    const double still = seconds_until([&] { return canvas->drawn_points() > 300'000; });
+    fmt::print("standing still: {} points after {:.2f} s; longest time without an answer: {} ms\n",
+               canvas->drawn_points(), still, pulse.longest());
+    canvas->hide();
+    delete canvas;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const std::int64_t points = 1'000'000LL * (argc > 1 ? std::atoi(argv[1]) : 8);
+    QApplication application(argc, argv);
+    apply_theme(ThemeKind::Light);
+    bench::Scratch scratch;
+    const fs::path site = scratch / "site.gpkg";
+    {
+        app::Project project = app::Project::create(site, {}, {"bench"});
+        write_record(project);
+        QElapsedTimer timer;
+        timer.start();
+        write_scans(project, scratch / "2025-06-01", points);
+        fmt::print("{}\n{} units, {} surfaces, {} scans with {} million points (added in {:.0f} s)\n", bench::machine(),
+                   kUnits, kSurfaces + 1, kScans, points / 1'000'000, static_cast<double>(timer.elapsed()) / 1e3);
+    }
+    MainWindow window(app::Session{"bench"});
+    window.resize(1600, 1000);
+    window.show();
+    QApplication::processEvents();
+    measure_opening(window, site);
+    measure_space(window);
+    return 0;
+}
