@@ -233,7 +233,7 @@ model::PhaseId Merge::phase_of(const strat::ImportedUnit& sheet) const {
 }
 
 void Merge::merge_sheets(const ImportSet& set) {
-    for (const model::Area& offered : set.record.areas) units_.area(offered.name);
+    for (const model::Area& offered : set.record.areas) units_.offer(offered);
     for (const strat::ImportedUnit& sheet : set.record.units) merge_sheet(sheet);
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/import/unit_table.hpp"
 
+#include <algorithm>
+
 #include "core/base/text.hpp"
 
 namespace planum::app {
 
 UnitTable::UnitTable(const model::Record& current, model::NumberScope scope, UuidSource& ids)
-    : scope_(scope), ids_(&ids) {
+    : scope_(scope), method_(current.settings.method), ids_(&ids) {
     for (const model::Area& area : current.areas) {
         area_ids_.emplace(area.name, area.id);
         area_names_.emplace(area.id, area.name);
@@ -69,10 +71,22 @@ model::AreaId UnitTable::area(const std::string& name) {
     model::Area area;
     area.id = model::AreaId{ids_->next()};
     area.name = name;
+    area.method = method_;
     area_ids_.emplace(name, area.id);
     area_names_.emplace(area.id, name);
     new_areas_.push_back(area);
     return area.id;
+}
+
+void UnitTable::offer(const model::Area& offered) {
+    const model::AreaId id = area(offered.name);
+    const auto made = std::find_if(new_areas_.begin(), new_areas_.end(), [&](const auto& a) { return a.id == id; });
+    if (made == new_areas_.end()) return;
+    if (made->title.empty()) made->title = offered.title;
+    if (made->first_number.empty()) made->first_number = offered.first_number;
+    if (made->last_number.empty()) made->last_number = offered.last_number;
+    // Readers give stratigraphic where their source is silent.
+    if (offered.method != model::DigMethod::Stratigraphic) made->method = offered.method;
 }
 
 std::string UnitTable::area_name(model::AreaId id) const {

@@ -40,6 +40,10 @@ class UnitTable {
 
     /// Id of the area with that name; makes it when there is none. Nil for an empty name.
     model::AreaId area(const std::string& name);
+
+    /// The same with all that a source says of it. Only areas that this import makes take it; they are dug as the project
+    /// is, unless a source says planum or mixed.
+    void offer(const model::Area& area);
     [[nodiscard]] std::string area_name(model::AreaId id) const;
 
     /// `NUMBER`, with its area in front in `Area` scope.
@@ -52,6 +56,7 @@ class UnitTable {
     std::size_t add(const strat::UnitName& name, model::UnitOrigin origin);
 
     model::NumberScope scope_;
+    model::DigMethod method_;
     UuidSource* ids_;
     std::vector<Entry> entries_;
     std::vector<model::Area> new_areas_;

@@ -167,6 +167,25 @@ TEST_CASE("The order of the files does not matter") {
     CHECK(a.relations.size() == b.relations.size());
 }
 
+TEST_CASE("An area comes in with all that a source says of it, and is dug as the project where none says how") {
+    auto sheets = a_set("units.csv");
+    sheets.record.units = {a_sheet("1", "", "A"), a_sheet("2", "", "B")};
+    auto areas = a_set("areas.csv");
+    areas.record.areas = {{{}, "A", "trench by the wall", model::DigMethod::Planum, "100", "199"}};
+    model::Record mixed;
+    mixed.settings.method = model::DigMethod::Mixed;
+    for (const auto& sets : {std::vector{sheets, areas}, std::vector{areas, sheets}}) {
+        Bench one;
+        const auto record = one.merged(mixed, sets);
+        REQUIRE(record.areas.size() == 2);
+        CHECK(record.areas[0].method == model::DigMethod::Planum);
+        CHECK(record.areas[0].title == "trench by the wall");
+        CHECK(record.areas[0].last_number == "199");
+        CHECK(record.areas[1].method == model::DigMethod::Mixed);
+        CHECK(one.plan(record, sets).is_empty());
+    }
+}
+
 TEST_CASE("One number in two areas is one unit with a warning, or two units where numbers are per area") {
     auto set = a_set("units.csv");
     set.record.units = {a_sheet("7", "pit", "A"), a_sheet("7", "wall", "B")};

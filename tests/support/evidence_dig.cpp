@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/evidence_dig.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "app/checks/daily_check.hpp"
+#include "app/evidence/evidence.hpp"
+#include "app/import/import_service.hpp"
+#include "app/regions/region_import.hpp"
+#include "app/registration/import_markers.hpp"
+#include "app/scans/add_scans.hpp"
+#include "app/scans/days_surface.hpp"
+
+namespace planum::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+template<class Work>
+double seconds_of(Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<fs::path> entries_of(const fs::path& folder) {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder)) found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+app::Project project_of(const fs::path& file, const fs::path& sheets, model::DigMethod method) {
+    model::ProjectSettings settings;
+    settings.method = method;
+    app::Project project = app::Project::create(file, settings, {});
+    app::import_files(project, {sheets}, {}, Progress::none());
+    return project;
+}
+
+// Numbers as the tally counts: units of the dig in the order in which they formed.
+std::vector<scans::Conclusion> numbered_as_formed(const app::demo::DemoDig& dig, app::Project& project,
+                                                  const app::AreaEvidence& area) {
+    std::map<std::string, int> formed;
+    for (std::size_t u = 0; u < dig.formation.units().size(); ++u)
+        formed[dig.formation.units()[u].number] = static_cast<int>(u);
+    const auto number = [&](scans::UnitNumber u) {
+        return formed.at(project.index().name(area.units[static_cast<std::size_t>(u)].id));
+    };
+    std::vector<scans::Conclusion> conclusions = area.conclusions;
+    for (scans::Conclusion& c : conclusions) {
+        c.unit = number(c.unit);
+        c.other = number(c.other);
+    }
+    return conclusions;
+}
+
+// The same evidence for another record of the same dig, by number.
+std::vector<model::SurfaceEvidence> carried_over(const std::vector<model::SurfaceEvidence>& evidence,
+                                                 app::Project& from, app::Project& to) {
+    std::vector<model::SurfaceEvidence> carried;
+    for (model::SurfaceEvidence e : evidence) {
+        const auto upper = to.index().named(from.index().name(e.upper));
+        const auto lower = to.index().named(from.index().name(e.lower));
+        if (upper.size() != 1 || lower.size() != 1) continue;
+        e.upper = to.record().units[upper.front()].id;
+        e.lower = to.record().units[lower.front()].id;
+        carried.push_back(e);
+    }
+    return carried;
+}
+
+void look_for_mistakes(EvidenceDig& result, const app::demo::DemoDig& dig, const app::DailyCheck& check,
+                       app::Project& mistaken) {
+    for (const app::demo::Mistake& mistake : dig.mistakes) {
+        if (mistake.kind != "reversed-relation" || !mistake.visible) continue;
+        ++result.visible_mistakes;
+        const bool found = std::any_of(check.problems.begin(), check.problems.end(), [&](const model::Diagnostic& d) {
+            return d.code == "height-contradiction" &&
+                   std::any_of(d.relations.begin(), d.relations.end(), [&](const model::NamedRelation& r) {
+                       return mistake.is.starts_with(mistaken.index().name(r.unit) + " ") &&
+                              mistake.is.ends_with(" " + mistaken.index().name(r.other));
+                   });
+        });
+        if (found) {
+            ++result.found_mistakes;
+        } else {
+            result.missed_mistakes.push_back(mistake.is);
+        }
+    }
+}
+
+} // namespace
+
+EvidenceDig evidence_of_dig(const fs::path& folder, const app::demo::SimulationOptions& options,
+                            app::RegisterMethod method, bool loud) {
+    const app::demo::DemoDig dig = app::demo::simulate(options, Progress::none());
+    app::demo::write_demo(dig, folder, Progress::none());
+    app::Project project = project_of(folder / "dig.gpkg", folder / "record", options.method);
+    std::vector<fs::path> days = entries_of(folder);
+    std::erase_if(days, [](const fs::path& path) { return !app::is_day(path.filename().string()); });
+    app::add_scans(project, days, {}, Progress::none());
+    app::import_markers(project, folder / "markers.csv", {});
+    EvidenceDig result;
+    app::RegisterOptions registering;
+    registering.method = method;
+    result.register_seconds =
+        seconds_of([&] { static_cast<void>(app::register_scans(project, registering, Progress::none())); });
+    app::import_outline_files(project, entries_of(folder / "outlines"), {}, Progress::none());
+    result.scans = project.record().scans.size();
+    for (const model::Scan& scan : project.record().scans)
+        result.placed += model::pose_in_force(project.record(), scan.id) != nullptr ? 1U : 0U;
+    result.surfaces = project.record().surfaces.size();
+
+    std::vector<app::AreaEvidence> areas;
+    result.first_seconds = seconds_of([&] { areas = app::gather_evidence(project, Progress::none()); });
+    result.again_seconds = seconds_of([&] { areas = app::gather_evidence(project, Progress::none()); });
+    std::vector<scans::Conclusion> conclusions;
+    for (const app::AreaEvidence& area : areas) {
+        const auto more = numbered_as_formed(dig, project, area);
+        conclusions.insert(conclusions.end(), more.begin(), more.end());
+    }
+    result.tally = tally_of(dig, conclusions, loud);
+
+    const auto evidence = app::surface_evidence(areas);
+    for (const model::Diagnostic& d : app::check_record(project.record(), evidence, Progress::none()).problems) {
+        if (d.code == "height-contradiction") result.false_contradictions.push_back(d.message);
+    }
+    app::Project mistaken = project_of(folder / "mistaken.gpkg", folder / "with-mistakes", options.method);
+    look_for_mistakes(result, dig,
+                      app::check_record(mistaken.record(), carried_over(evidence, project, mistaken), Progress::none()),
+                      mistaken);
+    return result;
+}
+
+} // namespace planum::test
