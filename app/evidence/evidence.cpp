@@ -2,7 +2,10 @@
 #include "app/evidence/evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,9 +27,10 @@ namespace planum::app {
 
 namespace {
 
-constexpr double kCell = 0.02; // [m]
-constexpr double kFar = 100.0; // from all set-ups of the scanner [m]
-constexpr double kSpare = 0.1; // around all outlines [m]
+constexpr std::array kCells = {0.02, 0.04, 0.08}; // the first that scans are dense enough for [m]
+constexpr double kDense = 1.5;                    // points a cell
+constexpr double kFar = 100.0;                    // from all set-ups of the scanner [m]
+constexpr double kSpare = 0.1;                    // around all outlines [m]
 constexpr std::string_view kVersion = "planum evidence 1\n";
 
 // What the labels of a surface are made from; units by id, so that a new unit in the list moves nothing.
@@ -64,12 +68,18 @@ class AreaWork {
     AreaEvidence gather() {
         const geometry::Extent extent = extent_of_outlines();
         if (extent.is_empty()) return std::move(evidence_);
-        // On whole metres, so that an outline redrawn a little wider leaves all heights as they are.
-        frame_ = scans::frame_around({std::floor(extent.low[0] - kSpare), std::floor(extent.low[1] - kSpare),
-                                      std::ceil(extent.high[0] + kSpare), std::ceil(extent.high[1] + kSpare)},
-                                     kCell);
-        make_keys();
+        for (const double cell : kCells) {
+            // On whole metres, so that an outline redrawn a little wider leaves all heights as they are.
+            frame_ = scans::frame_around({std::floor(extent.low[0] - kSpare), std::floor(extent.low[1] - kSpare),
+                                          std::ceil(extent.high[0] + kSpare), std::ceil(extent.high[1] + kSpare)},
+                                         cell);
+            labelled_.clear();
+            make_keys();
+            if (cell == kCells.back() || usual_density() >= kDense) break;
+        }
         for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+            if (keys_[i].heights.empty() && !regions_[surfaces_[i]->id].empty())
+                evidence_.unseen.push_back({surfaces_[i]->id, "none of its scans stands on the site grid"});
             progress_.check();
             progress_.fraction(static_cast<double>(i) / static_cast<double>(surfaces_.size()));
             evidence_.history.methods.push_back(surfaces_[i]->method);
@@ -144,12 +154,42 @@ class AreaWork {
         return all;
     }
 
+    // Points a cell inside the outlines, median of the surfaces that were scanned; infinite where none was.
+    [[nodiscard]] double usual_density() {
+        std::vector<double> densities;
+        for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+            if (!keys_[i].heights.empty()) densities.push_back(density(i));
+        }
+        std::erase_if(densities, [](double density) { return std::isnan(density); });
+        if (densities.empty()) return std::numeric_limits<double>::infinity();
+        const auto middle = densities.begin() + static_cast<std::ptrdiff_t>(densities.size() / 2);
+        std::nth_element(densities.begin(), middle, densities.end());
+        return *middle;
+    }
+
+    // NaN where nothing is outlined, or the points are missing.
+    [[nodiscard]] double density(std::size_t i) {
+        if (const auto cached = cache_.density(keys_[i].labels)) return *cached;
+        const scans::SurfaceGrid grid = heights(i);
+        if (is_broken(i)) return std::nan("");
+        const scans::LabelGrid labels = scans::label_cells(frame_, regions_[surfaces_[i]->id]);
+        double points = 0.0;
+        double cells = 0.0;
+        for (std::size_t cell = 0; cell < labels.region.size(); ++cell) {
+            if (labels.region[cell] == scans::kNoRegion) continue;
+            points += grid.count[cell];
+            cells += 1.0;
+        }
+        if (cells == 0.0) return std::nan("");
+        cache_.keep_density(keys_[i].labels, points / cells);
+        return points / cells;
+    }
+
     void make_keys() {
+        keys_.clear();
         std::string so_far;
         for (const model::Surface* surface : surfaces_) {
             std::string heights = surface_key(record_, surface->id, frame_);
-            if (heights.empty() && !regions_[surface->id].empty())
-                evidence_.unseen.push_back({surface->id, "none of its scans stands on the site grid"});
             std::string labels = heights + fmt::format("\n{}\n", record_.settings.tolerance);
             for (const model::Region& region : regions_[surface->id]) labels += text_of(region);
             so_far += heights + '\n';

@@ -179,6 +179,15 @@ void StepCache::keep(const std::string& key, const scans::SurfaceStep& step, Uni
     write_sealed(file_of(folder_, key, ".step"), to_json(step, Names(units)).dump());
 }
 
+std::optional<double> StepCache::density(const std::string& key) const {
+    return read_as(file_of(folder_, key, ".density"), {},
+                   [](const json& j, const Names&) { return j.at("density").get<double>(); });
+}
+
+void StepCache::keep_density(const std::string& key, double density) const {
+    write_sealed(file_of(folder_, key, ".density"), json{{"density", density}}.dump());
+}
+
 std::optional<std::vector<float>> StepCache::floor(const std::string& key, std::size_t cells) const {
     const auto bytes = read_sealed(file_of(folder_, key, ".floor"));
     if (!bytes || bytes->size() != cells * sizeof(float)) return std::nullopt;

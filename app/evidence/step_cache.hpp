@@ -29,6 +29,10 @@ class StepCache {
     [[nodiscard]] std::optional<scans::SurfaceStep> step(const std::string& key, Units units) const;
     void keep(const std::string& key, const scans::SurfaceStep& step, Units units) const;
 
+    /// Points a cell inside the outlines.
+    [[nodiscard]] std::optional<double> density(const std::string& key) const;
+    void keep_density(const std::string& key, double density) const;
+
     /// Lowest heights so far, one a cell.
     [[nodiscard]] std::optional<std::vector<float>> floor(const std::string& key, std::size_t cells) const;
     void keep_floor(const std::string& key, std::span<const float> floor) const;
