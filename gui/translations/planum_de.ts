@@ -856,10 +856,6 @@
         <translation>Nummer des neuen Befunds</translation>
     </message>
     <message>
-        <source>Reason, for those who read it in ten years</source>
-        <translation>Begründung, für die, die es in zehn Jahren lesen</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>Probleme</translation>
     </message>
@@ -1342,6 +1338,154 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::SuggestionListModel</name>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>recorded already</source>
+        <translation>schon aufgenommen</translation>
+    </message>
+    <message>
+        <source>Asking the surfaces</source>
+        <translation>Flächen befragen</translation>
+    </message>
+    <message>
+        <source>nothing proposed</source>
+        <translation>nichts vorgeschlagen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n relation(s) proposed</source>
+        <translation>
+            <numerusform>%n Beziehung vorgeschlagen</numerusform>
+            <numerusform>%n Beziehungen vorgeschlagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s)</source>
+        <translation>
+            <numerusform>%n Frage</numerusform>
+            <numerusform>%n Fragen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2: which is later?</source>
+        <translation>%1 und %2: was ist jünger?</translation>
+    </message>
+    <message>
+        <source>area %1 m²</source>
+        <translation>Fläche %1 m²</translation>
+    </message>
+    <message>
+        <source>thickness %1 m</source>
+        <translation>Mächtigkeit %1 m</translation>
+    </message>
+    <message>
+        <source>sure to %1 %</source>
+        <translation>zu %1 % sicher</translation>
+    </message>
+    <message>
+        <source>seen on %1</source>
+        <translation>gesehen auf %1</translation>
+    </message>
+    <message>
+        <source>not known to have touched</source>
+        <translation>Berührung nicht nachgewiesen</translation>
+    </message>
+    <message>
+        <source>Accepting a suggestion</source>
+        <translation>Vorschlag annehmen</translation>
+    </message>
+    <message>
+        <source>recorded from surfaces: %1</source>
+        <translation>aus Flächen aufgenommen: %1</translation>
+    </message>
+    <message>
+        <source>Rejecting a suggestion</source>
+        <translation>Vorschlag ablehnen</translation>
+    </message>
+    <message>
+        <source>cannot tell from the surfaces</source>
+        <translation>aus den Flächen nicht zu sagen</translation>
+    </message>
+    <message>
+        <source>Compiling a reading</source>
+        <translation>Lesart zusammenstellen</translation>
+    </message>
+    <message>
+        <source>reading %1: %2 relations from surfaces</source>
+        <translation>Lesart %1: %2 Beziehungen aus Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SuggestionPanel</name>
+    <message>
+        <source>All as a reading …</source>
+        <translation>Alle als Lesart …</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>decided ones too</source>
+        <translation>auch entschiedene</translation>
+    </message>
+    <message>
+        <source>All proposed relations as a reading of their own beside the record</source>
+        <translation>Alle vorgeschlagenen Beziehungen als eigene Lesart neben der Aufnahme</translation>
+    </message>
+    <message>
+        <source>asking the surfaces …</source>
+        <translation>befragt die Flächen …</translation>
+    </message>
+    <message>
+        <source>State the relation</source>
+        <translation>Beziehung angeben</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Reject …</source>
+        <translation>Ablehnen …</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Ablehnen</translation>
+    </message>
+    <message>
+        <source>Cannot tell</source>
+        <translation>Nicht zu sagen</translation>
+    </message>
+    <message>
+        <source>Choose a suggestion: its units show in every view.</source>
+        <translation>Einen Vorschlag wählen: seine Befunde erscheinen in allen Ansichten.</translation>
+    </message>
+    <message>
+        <source>Said nothing, or less than all</source>
+        <translation>Sagten nichts oder nicht alles</translation>
+    </message>
+    <message>
+        <source>Compile a reading</source>
+        <translation>Lesart zusammenstellen</translation>
+    </message>
+    <message>
+        <source>Name of the reading, beside the record</source>
+        <translation>Name der Lesart, neben der Aufnahme</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::TimeLine</name>
     <message>
         <source>Surfaces in time</source>
@@ -1546,6 +1690,13 @@
     </message>
 </context>
 <context>
+    <name>reason</name>
+    <message>
+        <source>Reason, for those who read it in ten years</source>
+        <translation>Begründung, für die, die es in zehn Jahren lesen</translation>
+    </message>
+</context>
+<context>
     <name>views</name>
     <message>
         <source>Units</source>
@@ -1594,6 +1745,10 @@
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
     </message>
 </context>
 <context>

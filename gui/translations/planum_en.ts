@@ -25,4 +25,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>planum::gui::SuggestionListModel</name>
+    <message numerus="yes">
+        <source>%n relation(s) proposed</source>
+        <translation>
+            <numerusform>%n relation proposed</numerusform>
+            <numerusform>%n relations proposed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s)</source>
+        <translation>
+            <numerusform>%n question</numerusform>
+            <numerusform>%n questions</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

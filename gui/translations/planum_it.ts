@@ -856,10 +856,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reason, for those who read it in ten years</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1342,6 +1338,154 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::SuggestionListModel</name>
+    <message>
+        <source>open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n relation(s) proposed</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2: which is later?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>area %1 m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thickness %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sure to %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seen on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known to have touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepting a suggestion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded from surfaces: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejecting a suggestion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot tell from the surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compiling a reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading %1: %2 relations from surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SuggestionPanel</name>
+    <message>
+        <source>All as a reading …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decided ones too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All proposed relations as a reading of their own beside the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asking the surfaces …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State the relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a suggestion: its units show in every view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Said nothing, or less than all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compile a reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the reading, beside the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::TimeLine</name>
     <message>
         <source>Surfaces in time</source>
@@ -1546,6 +1690,13 @@
     </message>
 </context>
 <context>
+    <name>reason</name>
+    <message>
+        <source>Reason, for those who read it in ten years</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>views</name>
     <message>
         <source>Units</source>
@@ -1593,6 +1744,10 @@
     </message>
     <message>
         <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

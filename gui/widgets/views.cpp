@@ -15,6 +15,7 @@
 #include "gui/widgets/scans/scans_view.hpp"
 #include "gui/widgets/section/section_view.hpp"
 #include "gui/widgets/space/space_view.hpp"
+#include "gui/widgets/suggestions/suggestion_panel.hpp"
 #include "gui/widgets/today/today_panel.hpp"
 #include "gui/widgets/units/unit_panel.hpp"
 
@@ -37,6 +38,7 @@ constexpr std::array kViews = {
     ViewEntry{"records", QT_TRANSLATE_NOOP("views", "Finds and lists"), Place::Centre, "Ctrl+6", make<RecordsView>},
     ViewEntry{"card", QT_TRANSLATE_NOOP("views", "Record card"), Place::Right, "Ctrl+0", make<CardPanel>},
     ViewEntry{"problems", QT_TRANSLATE_NOOP("views", "Problems"), Place::Bottom, "Ctrl+9", make<ProblemPanel>},
+    ViewEntry{"suggestions", QT_TRANSLATE_NOOP("views", "Suggestions"), Place::Bottom, "Ctrl+G", make<SuggestionPanel>},
     ViewEntry{"scans", QT_TRANSLATE_NOOP("views", "Scans"), Place::Bottom, "Ctrl+8", make<ScansView>},
     ViewEntry{"today", QT_TRANSLATE_NOOP("views", "Today"), Place::Bottom, "Ctrl+T", make<TodayPanel>},
     ViewEntry{"history", QT_TRANSLATE_NOOP("views", "History"), Place::Bottom, "Ctrl+H", make<HistoryPanel>},

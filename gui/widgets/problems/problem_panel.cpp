@@ -2,17 +2,12 @@
 #include "gui/widgets/problems/problem_panel.hpp"
 
 #include <QCheckBox>
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListView>
-#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
-#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "gui/viewmodels/models.hpp"
@@ -20,44 +15,29 @@
 #include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/signs.hpp"
 #include "gui/widgets/theme.hpp"
+#include "gui/widgets/two_line_delegate.hpp"
 
 namespace planum::gui {
 
 namespace {
 
-// Two lines: sign and title, then the sentence.
-class ProblemDelegate : public QStyledItemDelegate {
+class ProblemDelegate : public TwoLineDelegate {
   public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using TwoLineDelegate::TwoLineDelegate;
 
-    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
-        return {200, option.fontMetrics.lineSpacing() * 2 + 12};
+  protected:
+    void paint_sign(QPainter& painter, const QRectF& box, const QModelIndex& index, bool selected) const override {
+        const auto severity = static_cast<model::Severity>(index.data(ProblemListModel::SeverityRole).toInt());
+        paint_severity(painter, box, severity, selected ? theme().on_accent : QColor());
     }
 
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-        painter->save();
-        const bool selected = option.state.testFlag(QStyle::State_Selected);
-        if (selected) painter->fillRect(option.rect, theme().accent);
-        const auto severity = static_cast<model::Severity>(index.data(ProblemListModel::SeverityRole).toInt());
-        const QRect inner = option.rect.adjusted(10, 6, -10, -6);
-        const int line = option.fontMetrics.lineSpacing();
-        const double sign = line * 0.8;
-        paint_severity(*painter, QRectF(inner.left(), inner.top() + (line - sign) / 2.0, sign, sign), severity,
-                       selected ? theme().on_accent : QColor());
-        const int left = inner.left() + line + 4;
-        QFont bold = option.font;
-        bold.setWeight(QFont::DemiBold);
-        painter->setFont(bold);
-        painter->setPen(selected ? theme().on_accent : theme().ink);
-        QString title = index.data(ProblemListModel::TitleRole).toString();
-        if (index.data(ProblemListModel::NewRole).toBool()) title += ProblemListModel::tr("  · new");
-        painter->drawText(QRect(left, inner.top(), inner.right() - left, line), Qt::AlignVCenter, title);
-        painter->setFont(option.font);
-        painter->setPen(selected ? theme().on_accent : theme().faint);
-        const QString message = option.fontMetrics.elidedText(index.data(ProblemListModel::MessageRole).toString(),
-                                                              Qt::ElideRight, inner.right() - left);
-        painter->drawText(QRect(left, inner.top() + line, inner.right() - left, line), Qt::AlignVCenter, message);
-        painter->restore();
+    [[nodiscard]] QString title(const QModelIndex& index) const override {
+        const QString title = index.data(ProblemListModel::TitleRole).toString();
+        return index.data(ProblemListModel::NewRole).toBool() ? title + ProblemListModel::tr("  · new") : title;
+    }
+
+    [[nodiscard]] QString sentence(const QModelIndex& index) const override {
+        return index.data(ProblemListModel::MessageRole).toString();
     }
 };
 
@@ -69,40 +49,11 @@ QLabel* label(const QString& text, const char* role = "") {
     return made;
 }
 
-ProblemPanel::Answer ask_in_dialog(QWidget* parent, const QString& what, bool wants_number) {
-    QDialog dialog(parent);
-    dialog.setWindowTitle(what);
-    auto* column = new QVBoxLayout(&dialog);
-    auto* because = new QLineEdit;
-    auto* number = new QLineEdit;
-    if (wants_number) {
-        column->addWidget(new QLabel(ProblemPanel::tr("Number of the new unit")));
-        column->addWidget(number);
-    }
-    column->addWidget(new QLabel(ProblemPanel::tr("Reason, for those who read it in ten years")));
-    column->addWidget(because);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(what);
-    buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
-    const auto enough = [=] {
-        buttons->button(QDialogButtonBox::Ok)
-            ->setEnabled(!because->text().trimmed().isEmpty() &&
-                         (!wants_number || !number->text().trimmed().isEmpty()));
-    };
-    QObject::connect(because, &QLineEdit::textChanged, buttons, enough);
-    QObject::connect(number, &QLineEdit::textChanged, buttons, enough);
-    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-    column->addWidget(buttons);
-    dialog.resize(480, dialog.sizeHint().height());
-    if (dialog.exec() != QDialog::Accepted) return {};
-    return {because->text().trimmed(), number->text().trimmed()};
-}
-
 } // namespace
 
 ProblemPanel::ProblemPanel(Models& models)
-    : models_(models), ask_(ask_in_dialog), summary_(new QLabel), list_(new QListView), scroll_(new QScrollArea) {
+    : models_(models), ask_(ask_reason_in_dialog), summary_(new QLabel), list_(new QListView),
+      scroll_(new QScrollArea) {
     setObjectName(QStringLiteral("problems"));
     summary_->setObjectName(QStringLiteral("problemSummary"));
     list_->setObjectName(QStringLiteral("problemList"));
@@ -225,13 +176,14 @@ void ProblemPanel::show_detail() {
 
 void ProblemPanel::act(std::size_t suspect, ProblemAction action) {
     const bool wants_number = action == ProblemAction::SplitUnit;
-    const Answer answer = ask_(this, action_word(action), wants_number);
+    const ReasonAnswer answer =
+        ask_(this, action_word(action), wants_number ? tr("Number of the new unit") : QString());
     if (answer.because.isEmpty() || (wants_number && answer.number.isEmpty())) return;
     models_.problems.act(suspect, action, answer.because, answer.number);
 }
 
 void ProblemPanel::accept() {
-    const Answer answer = ask_(this, tr("Keep it silent"), false);
+    const ReasonAnswer answer = ask_(this, tr("Keep it silent"), {});
     if (!answer.because.isEmpty()) models_.problems.accept(answer.because);
 }
 

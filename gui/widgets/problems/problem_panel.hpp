@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include <functional>
+#include "gui/widgets/reason_dialog.hpp"
 
 class QLabel;
 class QListView;
@@ -23,18 +23,9 @@ class ProblemPanel : public QWidget {
     Q_OBJECT
 
   public:
-    /// Asks for a reason (and a number where a unit is split); empty: the person thought better of it. Replaced by
-    /// tests.
-    struct Answer {
-        QString because;
-        QString number;
-    };
-
-    using Ask = std::function<Answer(QWidget* parent, const QString& what, bool wants_number)>;
-
     explicit ProblemPanel(Models& models);
 
-    void set_ask(Ask ask) { ask_ = std::move(ask); }
+    void set_ask(AskReason ask) { ask_ = std::move(ask); }
 
   private:
     void show_summary();
@@ -44,7 +35,7 @@ class ProblemPanel : public QWidget {
     void accept();
 
     Models& models_;
-    Ask ask_;
+    AskReason ask_;
     QLabel* summary_;
     QListView* list_;
     QScrollArea* scroll_;

@@ -139,6 +139,29 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     hands.window.show_view("3d");
     hands.picture("08_3d");
 
+    // What the draughtsman drew takes the place of both, and the surfaces say what they prove.
+    hands.find<QAction>("undo")->trigger();
+    hands.settle_all();
+    hands.find<QAction>("undo")->trigger();
+    hands.settle_all();
+    REQUIRE(hands.record().regions.empty());
+    hands.drop({files / "outlines" / "2025-06-01.geojson", files / "outlines" / "2025-06-02.geojson"});
+    CHECK(hands.record().regions.size() > 4);
+    hands.window.show_view("plan");
+    hands.window.show_view("suggestions");
+    hands.settle_all();
+    auto* proposed = hands.find<QListView>("suggestionList");
+    REQUIRE(proposed->model()->rowCount() > 0);
+    hands.click_at(proposed->viewport(), proposed->visualRect(proposed->model()->index(0, 0)).center());
+    hands.settle_all();
+    hands.picture("09_suggestion");
+    const int open = proposed->model()->rowCount();
+    const std::size_t statements = hands.record().statements.size();
+    hands.click("acceptSuggestion");
+    CHECK(proposed->model()->rowCount() < open);
+    CHECK(hands.record().statements.size() == statements + 1);
+    hands.picture("10_accepted");
+
     // The first problem: looked at, and its likeliest suspect marked uncertain for a reason.
     hands.window.show_view("problems");
     hands.window.show_view("matrix");
@@ -146,13 +169,13 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     REQUIRE(list->model()->rowCount() > 0);
     hands.click_at(list->viewport(), list->visualRect(list->model()->index(0, 0)).center());
     hands.settle_all();
-    hands.picture("09_problem");
+    hands.picture("11_problem");
     const std::size_t before = hands.window.models().problems.check().problems.size();
     hands.answer_next({QStringLiteral("the lip of the cut had slumped")});
     hands.click("acceptProblem");
     CHECK(hands.window.models().problems.check().problems.size() + 1 == before);
     CHECK(hands.window.models().problems.check().accepted.size() == 1);
-    hands.picture("10_known");
+    hands.picture("12_known");
 
     // Undo says what it takes back, and takes it back.
     hands.find<QAction>("undo")->trigger();
@@ -165,7 +188,7 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
         hands.settle_all();
         CHECK(fs::file_size(folder / name) > 1000);
     }
-    hands.picture("11_written");
+    hands.picture("13_written");
     CHECK(hands.failures.isEmpty());
     INFO(hands.failures.join(QLatin1Char('\n')).toStdString());
     CHECK(hands.said.size() >= 5);

@@ -138,9 +138,9 @@ TEST_CASE("Opening a problem shows its proof in the matrix, and an action asks f
     auto* panel = dynamic_cast<ProblemPanel*>(shown.window.view("problems"));
     REQUIRE(panel != nullptr);
     QString asked;
-    panel->set_ask([&](QWidget*, const QString& what, bool) {
+    panel->set_ask([&](QWidget*, const QString& what, const QString&) {
         asked = what;
-        return ProblemPanel::Answer{QStringLiteral("known undercut"), {}};
+        return ReasonAnswer{QStringLiteral("known undercut"), {}};
     });
     QTest::mouseClick(shown.find<QPushButton>("acceptProblem"), Qt::LeftButton);
     shown.settle_all();
