@@ -161,8 +161,9 @@ void RowReader::position(std::optional<double>& x, std::optional<double>& y, std
     if (point == nullptr) return;
     x = (*point)[0];
     y = (*point)[1];
-    // The column is what people see and type; a point drawn elsewhere may have only its own height.
-    if (!z && geometry.has_z) z = (*point)[2];
+    // The column is what people see and type; a point drawn elsewhere may have only its own height. 0 is what a point
+    // has in the geometry when nobody said a height, here as in QGIS.
+    if (!z && geometry.has_z && (*point)[2] != 0.0) z = (*point)[2];
 }
 
 void RowReader::position(std::optional<double>& x, std::optional<double>& y, double& z) {

@@ -108,6 +108,26 @@ TEST_CASE("Everything that goes into the file comes out of it as it was") {
     CHECK(copy.canonical_dump() == project.canonical_dump());
 }
 
+TEST_CASE("A find without a height has none when it comes back, one at height 0 has that") {
+    const test::TemporaryFolder folder;
+    test::TestEnvironment environment;
+    ProjectFile project = new_project(folder / "site.gpkg", environment);
+    project.change("finds", [&] {
+        for (const std::optional<double> z : {std::optional<double>{}, std::optional<double>{0.0}}) {
+            Find find;
+            find.number = z ? "at 0" : "flat";
+            find.x = 1.0;
+            find.y = 2.0;
+            find.z = z;
+            project.insert(find);
+        }
+    });
+    for (const Find& find : project.load().finds) {
+        CHECK(find.x == 1.0);
+        CHECK(find.z.has_value() == (find.number == "at 0"));
+    }
+}
+
 TEST_CASE("A number is used once on a site, or once in each area") {
     const test::TemporaryFolder folder;
     test::TestEnvironment environment;
