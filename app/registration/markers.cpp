@@ -29,7 +29,6 @@ constexpr std::string_view kSite = "site";
 constexpr std::array<std::string_view, 5> kColumns = {"scan", "marker", "x", "y", "z"};
 
 /// Markers live in a registration run of their own, which places nothing.
-constexpr std::string_view kState = "survey";
 
 // A comma may stand for the point where it does not separate.
 std::string decimal_point(std::string number) {
@@ -90,7 +89,7 @@ class MarkerReader {
 
 const model::RegistrationRun* survey_of(const model::Record& record) {
     const auto it = std::find_if(record.runs.begin(), record.runs.end(),
-                                 [](const model::RegistrationRun& run) { return run.state == kState; });
+                                 [](const model::RegistrationRun& run) { return run.state == kSurveyState; });
     return it == record.runs.end() ? nullptr : &*it;
 }
 
@@ -191,7 +190,7 @@ MarkerImport import_markers(Project& project, const std::filesystem::path& file,
     if (const auto* there = survey_of(project.record()); there != nullptr) run = *there;
     run.name = "markers";
     run.method = "markers";
-    run.state = kState;
+    run.state = kSurveyState;
     run.made_at = project.clock().now();
     run.report = json.dump();
     project.change(fmt::format("Import {} markers", report.added + report.updated), [&] {

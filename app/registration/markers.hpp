@@ -4,12 +4,16 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/record.hpp"
 #include "scans/registration/markers.hpp"
 
 namespace planum::app {
+
+/// The state of the run that holds the surveyed markers; no other run has it.
+inline constexpr std::string_view kSurveyState = "survey";
 
 /// All markers of a project: as surveyed, and as each scan measured them (by the name of the scan).
 struct MarkerTable {

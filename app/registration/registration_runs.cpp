@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/registration/markers.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/geometry/rigid.hpp"
@@ -15,8 +16,6 @@
 namespace planum::app {
 
 namespace {
-
-constexpr std::string_view kSurvey = "survey"; ///< the markers, see markers.cpp
 
 std::string next_name(const model::Record& record) {
     long long highest = 0;
@@ -26,7 +25,7 @@ std::string next_name(const model::Record& record) {
 
 const model::RegistrationRun& run_named(const model::Record& record, std::string_view name) {
     for (const auto& run : record.runs) {
-        if (run.state != kSurvey && run.name == name) return run;
+        if (run.state != kSurveyState && run.name == name) return run;
     }
     const auto names = run_names(record);
     throw Error(ErrorCode::NotFound,
@@ -89,7 +88,7 @@ std::map<std::string, ReportedScan> placed_in(const RegistrationReport& report) 
 std::vector<std::string> run_names(const model::Record& record) {
     std::vector<std::string> names;
     for (const auto& run : record.runs) {
-        if (run.state != kSurvey) names.push_back(run.name);
+        if (run.state != kSurveyState) names.push_back(run.name);
     }
     std::sort(names.begin(), names.end(), text::NaturalLess{});
     return names;
