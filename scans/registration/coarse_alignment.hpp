@@ -38,7 +38,7 @@ struct CoarseResult {
     geometry::Rigid3 target_from_source;
     int matches = 0; ///< that passed the ratio test
     int inliers = 0;
-    double rms = 0.0;    ///< of the inliers [m]
+    double rms = 0.0; ///< of the inliers [m]
     /// Of the six numbers of geometry::moved, from the stated noise of the places. Only if accepted.
     geometry::Matrix6 covariance = geometry::Matrix6::Zero();
     std::string verdict; ///< one sentence; if refused, why

@@ -101,7 +101,7 @@ class Alignment {
     void link_covariance(const PatchMap& map, std::size_t level) {
         const LinkStatistics link =
             link_statistics(target_.clouds[target_.cloud_of[level]], source_.clouds[source_.cloud_of[level]],
-                            result.target_from_source, matches, map, options_.threads);
+                            result.target_from_source, matches, map, options_);
         result.covariance = link.covariance;
         result.covariance.diagonal().head<3>().array() += options_.systematic_rotation * options_.systematic_rotation;
         result.covariance.diagonal().tail<3>().array() += options_.systematic_position * options_.systematic_position;

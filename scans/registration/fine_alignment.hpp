@@ -31,10 +31,13 @@ struct FineOptions {
     double min_agreement = 0.35;       ///< share of it that agrees where there is ground, less is refused
     double max_sigma_position = 0.02;  ///< of the scanner, in the worst direction [m]; more is refused
     double max_sigma_rotation = 0.01;  ///< about the worst axis [rad]; more is refused
-    /// What no scatter of patches shows because it leans everywhere the same way (incidence, spacing): added to
-    /// the covariance. Of the size seen between simulated scans of known pose, see docs/registration.md.
-    double systematic_position = 0.0002;               ///< [m]
-    double systematic_rotation = 4e-5;                 ///< [rad]
+    /// What no scatter of the ground shows, added to the covariance; sizes as seen between simulated scans of known
+    /// pose, see docs/registration.md.
+    double systematic_position = 1e-5; ///< [m]
+    double systematic_rotation = 1e-6; ///< [rad]
+    /// How much too high ground may read a unit of the tangent of the incidence [m]: leans scans that face each
+    /// other, not scans from one place.
+    double systematic_lean = 3e-6;
     double max_shift = 1.0;                            ///< from the start [m]; more is refused
     double max_turn = 20.0 * std::numbers::pi / 180.0; ///< from the start [rad]; more is refused
     int threads = 2;                                   ///< does not change the result

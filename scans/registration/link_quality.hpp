@@ -13,11 +13,13 @@ struct LinkStatistics {
     double rms = 0.0;                                         ///< [m]
 };
 
-/// Covariance from the scatter of whole patches (the sandwich of clustered observations, Liang and Zeger 1986),
-/// never below what the votes themselves state.
+/// Covariance from how the pose would move if one block of ground after the other did not vote (the jackknife over
+/// clusters, Efron and Tibshirani 1993), around the slope of the robust votes (Huber 1981), and what ground seen at a
+/// slant may lean.
 [[nodiscard]] LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& source,
                                              const geometry::Rigid3& target_from_source,
-                                             std::span<const SurfelMatch> matches, const PatchMap& map, int threads);
+                                             std::span<const SurfelMatch> matches, const PatchMap& map,
+                                             const FineOptions& options);
 
 /// Measures overlap and agreement at the final pose and decides: accepted, or refused and why.
 void judge_link(FineResult& result, const PreparedScan& target, const PreparedScan& source,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <utility>
 
 namespace planum::scans {
@@ -24,13 +26,6 @@ int facing_of(const Surfel& surfel) {
     Eigen::Index axis = 0;
     surfel.normal.cwiseAbs().maxCoeff(&axis);
     return static_cast<int>(axis);
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 struct Sums {
@@ -66,19 +61,105 @@ void measure(PatchMap& map, std::span<const SurfelMatch> matches) {
     }
 }
 
-// Scatter of the patches beyond what their points explain: robust, from the middle of them.
-double scatter_between(const PatchMap& map) {
+/// A mean of several points or patches, and the variance that they explain.
+struct Offset {
+    double mean = 0.0;     ///< [m]
+    double variance = 0.0; ///< [m²]
+};
+
+// Scatter beyond what is explained: such that half of the votes have offsets as small as chance makes half of them.
+// Counted by weight, for what has most of it decides the pose.
+double scatter_between(const std::vector<Offset>& offsets) {
     constexpr double kLeast = 2e-5;         ///< [m]; nobody's ground is better than that
+    constexpr double kMost = 0.1;           ///< [m]
     constexpr double kMedianOfChi = 0.4549; // median of χ² with one degree of freedom
-    std::vector<double> squares;
-    std::vector<double> explained;
-    for (const auto& patch : map.patches) {
-        if (patch.agreeing < kFewest) continue;
-        squares.push_back(patch.offset * patch.offset);
-        explained.push_back(patch.sigma * patch.sigma);
+    const auto is_enough = [&](double scatter) {
+        std::vector<std::pair<double, double>> squares; // with its weight
+        double sum = 0.0;
+        squares.reserve(offsets.size());
+        for (const auto& o : offsets) {
+            const double variance = o.variance + scatter * scatter;
+            squares.emplace_back(o.mean * o.mean / variance, 1.0 / variance);
+            sum += 1.0 / variance;
+        }
+        std::sort(squares.begin(), squares.end());
+        double below = 0.0;
+        for (const auto& [square, weight] : squares) {
+            if (square >= kMedianOfChi) break;
+            below += weight;
+        }
+        return below >= 0.5 * sum;
+    };
+    double low = kLeast;
+    double high = kMost;
+    if (is_enough(low)) return low;
+    while (high > 1.01 * low) {
+        const double middle = std::sqrt(low * high);
+        (is_enough(middle) ? high : low) = middle;
     }
-    const double excess = median(std::move(squares)) / kMedianOfChi - median(std::move(explained));
-    return std::sqrt(std::max(excess, kLeast * kLeast));
+    return high;
+}
+
+double between_patches(const PatchMap& map) {
+    std::vector<Offset> offsets;
+    for (const auto& patch : map.patches) {
+        if (patch.agreeing >= kFewest) offsets.push_back({patch.offset, patch.sigma * patch.sigma});
+    }
+    return scatter_between(offsets);
+}
+
+/// The offsets of whole blocks, from the patches that are stable.
+std::vector<Offset> block_offsets(const PatchMap& map, double between) {
+    std::vector<Offset> blocks(map.blocks);
+    std::vector<double> precision(map.blocks, 0.0);
+    for (std::size_t i = 0; i < map.patches.size(); ++i) {
+        const Patch& patch = map.patches[i];
+        if (patch.state != PatchState::Stable) continue;
+        const double weight = 1.0 / (patch.sigma * patch.sigma + between * between);
+        precision[map.block_of[i]] += weight;
+        blocks[map.block_of[i]].mean += weight * patch.offset;
+    }
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (precision[b] <= 0.0) continue;
+        blocks[b].mean /= precision[b];
+        blocks[b].variance = 1.0 / precision[b];
+    }
+    return blocks;
+}
+
+// What one patch alone does not show: ground that leans or creeps together, as beside a heap that grew.
+void judge_blocks(PatchMap& map, double between) {
+    constexpr double kGate = 3.0; // standard deviations, where a block votes no longer
+    const std::vector<Offset> blocks = block_offsets(map, between);
+    std::vector<Offset> voting;
+    std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(voting),
+                 [](const Offset& block) { return block.variance > 0.0; });
+    const double scatter = scatter_between(voting);
+    for (std::size_t i = 0; i < map.patches.size(); ++i) {
+        Patch& patch = map.patches[i];
+        if (patch.state != PatchState::Stable) continue;
+        const Offset& block = blocks[map.block_of[i]];
+        const double variance = block.variance + scatter * scatter;
+        // All or nothing: a weight that fell with the offset would make the votes look surer than they are.
+        const bool is_off = std::abs(block.mean) > kGate * std::sqrt(variance);
+        if (is_off) patch.state = PatchState::Shifted;
+        patch.weight *= is_off ? 0.0 : block.variance / variance;
+    }
+}
+
+// Numbers the blocks in the order of their first patch.
+void gather_blocks(PatchMap& map, const std::vector<Key>& keys) {
+    constexpr std::int64_t kPatchesASide = 4;
+    const auto block = [](std::int64_t cell) {
+        return cell >= 0 ? cell / kPatchesASide : -((kPatchesASide - 1 - cell) / kPatchesASide);
+    };
+    std::map<Key, std::uint32_t> number;
+    map.block_of.reserve(keys.size());
+    for (const auto& key : keys) {
+        const Key whole{block(key.x), block(key.y), block(key.z), key.facing};
+        map.block_of.push_back(number.try_emplace(whole, static_cast<std::uint32_t>(number.size())).first->second);
+    }
+    map.blocks = number.size();
 }
 
 } // namespace
@@ -105,6 +186,7 @@ PatchMap make_patches(const SurfelCloud& target, double edge) {
     }
     std::sort(keyed.begin(), keyed.end());
     PatchMap map;
+    std::vector<Key> keys;
     map.patch_of.resize(target.surfels.size());
     for (std::size_t i = 0; i < keyed.size();) {
         std::size_t end = i;
@@ -115,14 +197,16 @@ PatchMap make_patches(const SurfelCloud& target, double edge) {
         }
         patch.center /= static_cast<double>(end - i);
         map.patches.push_back(patch);
+        keys.push_back(keyed[i].first);
         i = end;
     }
+    gather_blocks(map, keys);
     return map;
 }
 
 double judge_patches(PatchMap& map, std::span<const SurfelMatch> matches) {
     measure(map, matches);
-    const double between = scatter_between(map);
+    const double between = between_patches(map);
     for (auto& patch : map.patches) {
         const double share = patch.agreeing + patch.disagreeing == 0
                                  ? 0.0
@@ -144,6 +228,7 @@ double judge_patches(PatchMap& map, std::span<const SurfelMatch> matches) {
             patch.weight = share * share * patch.stated * patch.stated / (sigma * sigma);
         }
     }
+    judge_blocks(map, between);
     return between;
 }
 

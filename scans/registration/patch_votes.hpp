@@ -36,6 +36,8 @@ struct Patch {
 struct PatchMap {
     std::vector<std::uint32_t> patch_of; ///< one a target surfel
     std::vector<Patch> patches;          ///< ordered by place
+    std::vector<std::uint32_t> block_of; ///< one a patch: neighbours with one facing, several patches wide
+    std::size_t blocks = 0;
 };
 
 [[nodiscard]] PatchMap make_patches(const SurfelCloud& target, double edge);

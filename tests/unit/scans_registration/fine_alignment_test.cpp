@@ -98,6 +98,48 @@ TEST_CASE("What was dug away does not pull the alignment along") {
     CHECK(silent > 0);
 }
 
+TEST_CASE("A heap whose foot crept over the ground does not tilt the alignment") {
+    const auto target = synthetic_ground(kFirst, {.points = 40000, .seed = 16});
+    auto source = synthetic_ground(kSecond, {.points = 40000, .seed = 17});
+    const Rigid3 scan_from_site = kSecond.inverse();
+    for (auto& x : source) {
+        Eigen::Vector3d x_in_site = kSecond * x;
+        const double r = (x_in_site.head<2>() - Eigen::Vector2d(2.6, 1.8)).norm();
+        x_in_site.z() += 0.010 * std::exp(-0.5 * r * r); // nowhere an edge
+        x = scan_from_site * x_in_site;
+    }
+    const Rigid3 truth = kFirst.inverse() * kSecond;
+    auto options = small_options();
+    options.patch = 0.25;
+    const auto result = align(target, source, disturbed(truth, 0.02, 0.2 * kDegree, 18), options);
+    REQUIRE(result.is_accepted);
+    const Vector6 error = geometry::step_between(truth, result.target_from_source);
+    CHECK(error.tail<3>().norm() < 0.0003); // the heap is 10 mm high
+    CHECK(error.head<3>().norm() < 0.008 * kDegree);
+}
+
+TEST_CASE("The stated covariance is neither too small nor too large") {
+    const Rigid3 truth = kFirst.inverse() * kSecond;
+    constexpr int kPairs = 24;
+    auto options = small_options();
+    options.levels = {{0.10, 0.30, 0.03, 15}, {0.05, 0.30, 0.0, 20}};
+    options.patch = 0.25;
+    int within = 0;
+    double sum = 0.0;
+    for (int i = 0; i < kPairs; ++i) {
+        const auto seed = static_cast<unsigned>(100 + 2 * i);
+        const auto result = align(synthetic_ground(kFirst, {.points = 25000, .seed = seed}),
+                                  synthetic_ground(kSecond, {.points = 25000, .seed = seed + 1}), truth, options);
+        REQUIRE(result.is_accepted);
+        const Vector6 error = geometry::step_between(truth, result.target_from_source);
+        const double chi = error.dot(result.information * error);
+        within += chi < 12.592 ? 1 : 0; // 95 % of χ² with six numbers
+        sum += chi;
+    }
+    CHECK(within >= 20);       // fewer of 24 at 95 %: one in 160
+    CHECK(sum / kPairs > 2.0); // six expected; twice the σ that is right would give 1.5
+}
+
 TEST_CASE("Scans that do not belong together are refused with the reason") {
     const auto target = synthetic_ground(kFirst, {.seed = 10});
     const Rigid3 truth = kFirst.inverse() * kSecond;
