@@ -4,6 +4,7 @@
 // second phase on dot's levels, each line on its own, as dot counts.
 // Each drawing is made in a process of its own, so that its memory can be told. "bends" are those of each order's
 // way, summed; "corners" those that are drawn, strokes that orders share counted once, as is the length.
+// The real matrix of Çatalhöyük comes first where it is present.
 // Usage: bench_drawing [LARGEST [DOT_SECONDS [DOT_LARGEST]]]: units up to LARGEST (20,000), dot ended after
 // DOT_SECONDS (600) and left out beyond DOT_LARGEST units (20,000).
 #include <fmt/format.h>
@@ -25,7 +26,9 @@
 #include "strat/layout/order_phase.hpp"
 #include "strat/layout/planum_engine.hpp"
 #include "strat/layout/read_back.hpp"
+#include "tests/support/imported_records.hpp"
 #include "tests/support/layout_records.hpp"
+#include "tests/support/real_data.hpp"
 
 using namespace planum;
 using namespace planum::strat;
@@ -321,6 +324,8 @@ int main(int argc, char** argv) {
     const int dot_seconds = argc > 2 ? std::atoi(argv[2]) : 600;
     const std::size_t dot_largest = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 20'000;
     fmt::print("{}\n", bench::machine());
+    if (const auto real = test::real_data("matrix/hm/bldg-1-5"))
+        compare("Çatalhöyük", test::read_record(*real), dot_seconds, dot_largest > 0);
     for (const std::size_t units : {100U, 300U, 500U, 700U, 1000U, 2000U, 4000U, 10'000U, 20'000U}) {
         if (units > largest) break;
         const bool with_dot = units <= dot_largest;
