@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kVersion = "planum surface grid 1\n";
+constexpr std::string_view kVersion = "planum surface grid 2\n";
 
 template<class Value>
 void append(std::string& bytes, const std::vector<Value>& values) {
@@ -36,7 +36,7 @@ void take(std::string_view& bytes, std::vector<Value>& values, std::size_t count
     bytes.remove_prefix(count * sizeof(Value));
 }
 
-constexpr std::size_t kBytesOfCell = 4 * sizeof(float) + sizeof(std::uint16_t) + 1;
+constexpr std::size_t kBytesOfCell = 6 * sizeof(float) + sizeof(std::uint16_t) + 1;
 
 std::string to_bytes(const scans::SurfaceGrid& grid) {
     std::string bytes{kVersion};
@@ -46,6 +46,8 @@ std::string to_bytes(const scans::SurfaceGrid& grid) {
     append(bytes, grid.slope);
     append(bytes, grid.count);
     append(bytes, grid.state);
+    append(bytes, grid.side_east);
+    append(bytes, grid.side_north);
     bytes += sha256(bytes);
     return bytes;
 }
@@ -64,6 +66,8 @@ std::optional<scans::SurfaceGrid> from_bytes(std::string_view bytes, const scans
     take(bytes, grid.slope, n);
     take(bytes, grid.count, n);
     take(bytes, grid.state, n);
+    take(bytes, grid.side_east, n);
+    take(bytes, grid.side_north, n);
     return grid;
 }
 

@@ -109,12 +109,36 @@ void add_run(std::span<const PackedHeight> run, const LayerRules& rules, std::ve
 
 } // namespace
 
+SidePlace side_place(std::span<const PackedHeight> sorted, const LayerRules& rules) {
+    if (sorted.empty()) return {};
+    double low = quantile(sorted, 0.02);
+    double high = quantile(sorted, 0.98);
+    if (high - low > rules.extent) {
+        const double fifth = 0.2 * (high - low);
+        low += fifth;
+        high -= fifth;
+    }
+    double east = 0.0;
+    double north = 0.0;
+    double number = 0.0;
+    for (const PackedHeight packed : sorted) {
+        const double z = height_of(packed);
+        if (z < low || z > high) continue;
+        const auto [x, y] = place_of(packed);
+        east += x;
+        north += y;
+        number += 1.0;
+    }
+    if (number == 0.0) return {};
+    return {static_cast<float>(east / number), static_cast<float>(north / number)};
+}
+
 void find_layers(std::span<const PackedHeight> sorted, const LayerRules& rules, std::vector<HeightLayer>& layers) {
     const std::size_t before = layers.size();
     const auto gap = static_cast<std::uint64_t>(rules.gap / kHeightStep);
     const double least = rules.share * static_cast<double>(sorted.size());
     for (std::size_t begin = 0, i = 0; i < sorted.size(); ++i) {
-        if (i + 1 < sorted.size() && (sorted[i + 1] >> 16U) - (sorted[i] >> 16U) <= gap) continue;
+        if (i + 1 < sorted.size() && steps_of(sorted[i + 1]) - steps_of(sorted[i]) <= gap) continue;
         const std::span<const PackedHeight> run = sorted.subspan(begin, i + 1 - begin);
         if (static_cast<double>(run.size()) >= least) add_run(run, rules, layers);
         begin = i + 1;

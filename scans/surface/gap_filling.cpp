@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace planum::scans {
 
@@ -103,6 +105,14 @@ class Filler {
         for (std::int32_t i = 1; i < steps; ++i) fence_[at(i)] = true;
     }
 
+    [[nodiscard]] float side_east(std::size_t cell) const {
+        return grid_.side_east.empty() ? kUnknown : grid_.side_east[cell];
+    }
+
+    [[nodiscard]] float side_north(std::size_t cell) const {
+        return grid_.side_north.empty() ? kUnknown : grid_.side_north[cell];
+    }
+
     // Every unknown cell takes the height of the ground that it is reached from first.
     void spread(Fences fences) {
         std::priority_queue<Reached, std::vector<Reached>, std::greater<>> waiting;
@@ -152,36 +162,145 @@ class Filler {
         }
     }
 
-    void lay_fences() {
-        const std::vector<float> ground = filled_.height;
-        for (std::int32_t row = 0; row < frame_.rows; ++row) {
-            for (std::int32_t column = 0; column < frame_.columns; ++column) {
-                if (fence_[frame_.at(row, column)]) lay_fence(ground, row, column);
-            }
-        }
-    }
-
-    void lay_fence(const std::vector<float>& ground, std::int32_t row, std::int32_t column) {
+    struct Ends {
         float low = kUnknown;
         float high = kUnknown;
-        for (std::int32_t r = std::max(0, row - 1); r <= std::min(frame_.rows - 1, row + 1); ++r) {
-            for (std::int32_t c = std::max(0, column - 1); c <= std::min(frame_.columns - 1, column + 1); ++c) {
-                const float height = ground[frame_.at(r, c)];
-                if (std::isnan(height)) continue;
-                if (!(low <= height)) low = height;
-                if (!(high >= height)) high = height;
+        double rise_east = 0.0; // direction in which the ground rises across the side
+        double rise_north = 0.0;
+
+        [[nodiscard]] bool are_two() const { return static_cast<double>(high - low) > kUprightStep; }
+    };
+
+    // The ground on both sides of a fence, as near as there is any: a wall's points may fall into two cells beside each
+    // other.
+    [[nodiscard]] Ends ends_of(const std::vector<float>& ground, std::int32_t row, std::int32_t column) const {
+        Ends ends{};
+        for (std::int32_t ring = 1; ring <= 2; ++ring) {
+            ends = {};
+            double sum = 0.0;
+            double number = 0.0;
+            double sum_east = 0.0;
+            double sum_north = 0.0;
+            for (std::int32_t r = std::max(0, row - ring); r <= std::min(frame_.rows - 1, row + ring); ++r) {
+                for (std::int32_t c = std::max(0, column - ring); c <= std::min(frame_.columns - 1, column + ring);
+                     ++c) {
+                    const float height = ground[frame_.at(r, c)];
+                    if (std::isnan(height)) continue;
+                    if (!(ends.low <= height)) ends.low = height;
+                    if (!(ends.high >= height)) ends.high = height;
+                    const auto z = static_cast<double>(height);
+                    sum += z;
+                    number += 1.0;
+                    sum_east += c - column;
+                    sum_north += r - row;
+                    ends.rise_east += z * (c - column);
+                    ends.rise_north += z * (r - row);
+                }
             }
+            if (number == 0.0) continue;
+            ends.rise_east -= sum / number * sum_east;
+            ends.rise_north -= sum / number * sum_north;
+            if (ends.are_two()) break;
         }
-        const std::size_t cell = frame_.at(row, column);
-        const bool both_ends = static_cast<double>(high - low) > kUprightStep;
-        if (!both_ends && grid_.state[cell] == CellState::Face) {
+        return ends;
+    }
+
+    void lay_fences() {
+        const std::vector<float> ground = filled_.height;
+        std::vector<std::pair<std::size_t, Ends>> fences;
+        shows_side_.assign(frame_.cells(), false);
+        for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
+            if (!fence_[cell]) continue;
+            const Ends ends = ends_of(ground, row_of(cell), column_of(cell));
+            fences.emplace_back(cell, ends);
+            shows_side_[cell] = grid_.state[cell] == CellState::Face && ends.are_two() &&
+                                !std::isnan(side_east(cell)) && lies(cell, ends) == Lies::Between;
+        }
+        for (const auto& [cell, ends] : fences) lay_fence(ends, cell);
+    }
+
+    enum class Lies { Low, Between, High };
+
+    /// Where the points of a face lie between the ground on both sides of it.
+    [[nodiscard]] Lies lies(std::size_t cell, const Ends& ends) const {
+        const float near = 0.15F * (ends.high - ends.low);
+        const float spread = grid_.spread[cell];
+        if (grid_.height[cell] + spread < ends.low + near) return Lies::Low;
+        if (grid_.height[cell] - spread > ends.high - near) return Lies::High;
+        return Lies::Between;
+    }
+
+    void lay_fence(const Ends& ends, std::size_t cell) {
+        const bool is_face = grid_.state[cell] == CellState::Face;
+        if (!ends.are_two() && is_face) {
             filled_.height[cell] = grid_.height[cell];
-        } else if (!std::isnan(low)) {
-            filled_.height[cell] = 0.5F * (low + high);
+        } else if (!std::isnan(ends.low)) {
+            filled_.height[cell] =
+                ends.low + static_cast<float>(high_share(ends, cell, is_face)) * (ends.high - ends.low);
         }
         const double uncertain =
-            both_ends ? static_cast<double>(high - low) : static_cast<double>(grid_.spread[cell]) * 2.0;
+            ends.are_two() ? static_cast<double>(ends.high - ends.low) : static_cast<double>(grid_.spread[cell]) * 2.0;
         filled_.sigma[cell] = static_cast<float>(uncertain / std::sqrt(12.0));
+    }
+
+    /// Share of a cell on the upper side of the side that runs through it or past it.
+    [[nodiscard]] double high_share(const Ends& ends, std::size_t cell, bool is_face) const {
+        const double length = std::hypot(ends.rise_east, ends.rise_north);
+        if (length > 1e-9) {
+            const double a = ends.rise_east / length;
+            const double b = ends.rise_north / length;
+            if (const auto ahead = side_ahead(cell, a, b)) return share_beyond(a, b, *ahead);
+        }
+        if (!is_face) return 0.5;
+        switch (lies(cell, ends)) {
+        case Lies::Low: return 0.0;
+        case Lies::High: return 1.0;
+        case Lies::Between: return 0.5;
+        }
+        return 0.5;
+    }
+
+    /// How far the side runs from the middle of a cell in the direction (a, b) [cells]: the mean of the faces along it
+    /// that show it, near ones counting more.
+    [[nodiscard]] std::optional<double> side_ahead(std::size_t cell, double a, double b) const {
+        const auto reach = static_cast<std::int32_t>(std::lround(options_.fence_gap / frame_.cell));
+        constexpr double kAside = 2.5; // what lies farther across is another side [cells]
+        const std::int32_t row = row_of(cell);
+        const std::int32_t column = column_of(cell);
+        double sum = 0.0;
+        double weights = 0.0;
+        for (std::int32_t r = std::max(0, row - reach); r <= std::min(frame_.rows - 1, row + reach); ++r) {
+            for (std::int32_t c = std::max(0, column - reach); c <= std::min(frame_.columns - 1, column + reach); ++c) {
+                const std::size_t other = frame_.at(r, c);
+                if (!shows_side_[other]) continue;
+                const double east = c - column + static_cast<double>(side_east(other));
+                const double north = r - row + static_cast<double>(side_north(other));
+                const double ahead = east * a + north * b;
+                if (std::abs(ahead) > kAside) continue;
+                const double weight = 1.0 / (1.0 + east * east + north * north);
+                sum += weight * ahead;
+                weights += weight;
+            }
+        }
+        if (weights == 0.0) return std::nullopt;
+        return sum / weights;
+    }
+
+    /// Share of the square of side 1 around the origin where x·a + y·b > d, for a² + b² = 1.
+    static double share_beyond(double a, double b, double d) {
+        // The length of the square's projection is a trapezium: rising over `steep`, level over `flat`.
+        const double wide = std::max(std::abs(a), std::abs(b));
+        const double narrow = std::min(std::abs(a), std::abs(b));
+        const double reach = 0.5 * (wide + narrow);
+        const double level = 0.5 * (wide - narrow);
+        const double at = std::abs(d);
+        double beyond = 0.0;
+        if (at < level) {
+            beyond = 0.5 - at / wide;
+        } else if (at < reach) {
+            beyond = 0.5 * (reach - at) * (reach - at) / (wide * narrow);
+        }
+        return d >= 0.0 ? beyond : 1.0 - beyond;
     }
 
     const SurfaceGrid& grid_;
@@ -189,6 +308,7 @@ class Filler {
     const GapOptions& options_;
     FilledHeights filled_;
     std::vector<bool> fence_;
+    std::vector<bool> shows_side_; // faces with points between the ground on both sides
     std::vector<std::size_t> gaps_;
 };
 

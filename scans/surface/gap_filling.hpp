@@ -23,8 +23,9 @@ struct FilledHeights {
 };
 
 /// Closes gaps in the ground by a membrane that upright sides cut: what lies in the shadow of a trench wall is
-/// continued from the floor, not from the field above it. Cells of a side itself lie halfway between the ground on
-/// both sides of it, or, where a side is several cells wide, where its points do.
+/// continued from the floor, not from the field above it. A cell that a side runs through is divided between the ground
+/// on both sides of it by the line on which points of the side lie along it; where none shows the line,
+/// halfway. Where a side is several cells wide, its cells lie where their points do.
 [[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {});
 
 } // namespace planum::scans

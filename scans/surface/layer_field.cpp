@@ -27,6 +27,7 @@ struct TileLayers {
     std::vector<HeightLayer> layers;
     std::vector<std::uint8_t> size;
     std::vector<std::uint32_t> count;
+    std::vector<SidePlace> side;
     std::uint64_t points = 0;
 };
 
@@ -74,14 +75,18 @@ class Gatherer {
     }
 
   private:
+    static std::uint8_t part_of_cell(double cells) {
+        return static_cast<std::uint8_t>(std::min(255.0, 256.0 * (cells - std::floor(cells))));
+    }
+
     void add(const PointBlock& block, std::uint16_t scan) {
         if (full_) return;
         for (std::size_t i = 0; i < block.size(); ++i) {
             if (block.validity[i] != Validity::Valid) continue;
-            const std::int64_t column =
-                static_cast<std::int64_t>(std::floor(block.x[i] * inverse_)) - reading_.frame.west - tile_.column;
-            const std::int64_t row =
-                static_cast<std::int64_t>(std::floor(block.y[i] * inverse_)) - reading_.frame.south - tile_.row;
+            const double x = block.x[i] * inverse_;
+            const double y = block.y[i] * inverse_;
+            const std::int64_t column = static_cast<std::int64_t>(std::floor(x)) - reading_.frame.west - tile_.column;
+            const std::int64_t row = static_cast<std::int64_t>(std::floor(y)) - reading_.frame.south - tile_.row;
             if (column < 0 || row < 0 || column >= tile_.columns || row >= tile_.rows) continue;
             if (!(block.z[i] > kHeightOrigin && block.z[i] < kHeightCeiling)) continue;
             if (heights_.size() >= reading_.most) {
@@ -89,7 +94,7 @@ class Gatherer {
                 return;
             }
             cells_.push_back(static_cast<std::uint16_t>(row * tile_.columns + column));
-            heights_.push_back(pack_height(block.z[i], scan));
+            heights_.push_back(pack_height(block.z[i], scan, part_of_cell(x), part_of_cell(y)));
         }
     }
 
@@ -112,6 +117,7 @@ void put(const Tile& whole, const Tile& part, const TileLayers& from, TileLayers
             const auto source = static_cast<std::size_t>(r * part.columns + c);
             to.size[cell] = from.size[source];
             to.count[cell] = from.count[source];
+            to.side[cell] = from.side[source];
             by_cell[cell].assign(from.layers.begin() + static_cast<std::ptrdiff_t>(at),
                                  from.layers.begin() + static_cast<std::ptrdiff_t>(at + from.size[source]));
             at += from.size[source];
@@ -127,6 +133,7 @@ TileLayers read_in_four(const Reading& reading, const Tile& tile) {
     TileLayers whole;
     whole.size.resize(cells);
     whole.count.resize(cells);
+    whole.side.resize(cells);
     std::vector<std::vector<HeightLayer>> by_cell(cells);
     const std::int32_t half_rows = (tile.rows + 1) / 2;
     const std::int32_t half_columns = (tile.columns + 1) / 2;
@@ -156,6 +163,7 @@ std::optional<TileLayers> try_tile(const Reading& reading, const Tile& tile, boo
     const std::size_t cells = begin.size() - 1;
     result.size.resize(cells);
     result.count.resize(cells);
+    result.side.resize(cells);
     for (std::size_t cell = 0; cell < cells; ++cell) {
         const std::span<PackedHeight> there(heights.data() + begin[cell], begin[cell + 1] - begin[cell]);
         std::sort(there.begin(), there.end());
@@ -163,6 +171,7 @@ std::optional<TileLayers> try_tile(const Reading& reading, const Tile& tile, boo
         find_layers(there, reading.rules, result.layers);
         result.size[cell] = static_cast<std::uint8_t>(result.layers.size() - before);
         result.count[cell] = static_cast<std::uint32_t>(there.size());
+        result.side[cell] = side_place(there, reading.rules);
     }
     return result;
 }
@@ -217,6 +226,7 @@ LayerField collect_layers(std::span<const SurfaceScan> scans, const GridFrame& f
     LayerField field;
     field.frame = frame;
     field.count.resize(frame.cells());
+    field.side.resize(frame.cells());
     field.first_.resize(frame.cells());
     field.size_.resize(frame.cells());
     for (std::size_t t = 0; t < tiles.size(); ++t) {
@@ -229,6 +239,7 @@ LayerField collect_layers(std::span<const SurfaceScan> scans, const GridFrame& f
                 field.first_[cell] = at;
                 field.size_[cell] = done[t].size[source];
                 field.count[cell] = done[t].count[source];
+                field.side[cell] = done[t].side[source];
                 at += done[t].size[source];
             }
         }

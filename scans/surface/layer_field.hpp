@@ -18,6 +18,7 @@ class LayerField {
   public:
     GridFrame frame;
     std::vector<std::uint32_t> count; ///< points of a cell, those of no layer included
+    std::vector<SidePlace> side;      ///< of a cell; see side_place()
     std::uint64_t points = 0;         ///< within the frame
 
     [[nodiscard]] std::span<HeightLayer> at(std::size_t cell) noexcept {

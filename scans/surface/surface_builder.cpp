@@ -55,6 +55,13 @@ class Composer {
         const auto rows = static_cast<std::size_t>(field_.frame.rows);
         for_each_part(rows, options_.threads, progress, [&](std::size_t row) { take_heights(row); });
         for_each_part(rows, options_.threads, progress, [&](std::size_t row) { take_slopes(row); });
+        grid_.side_east.assign(cells, kUnknown);
+        grid_.side_north.assign(cells, kUnknown);
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            if (grid_.state[cell] != CellState::Face) continue;
+            grid_.side_east[cell] = field_.side[cell].east;
+            grid_.side_north[cell] = field_.side[cell].north;
+        }
     }
 
   private:
@@ -69,6 +76,10 @@ class Composer {
             grid_.count[cell] = layer.count;
             const bool one = layers.size() == 1 && !layer.wide;
             grid_.state[cell] = one ? CellState::Surface : CellState::Face;
+            if (!one) { // of points spread evenly over a height 0.34 of it
+                const float all = layers.back().high - layers.front().low;
+                grid_.spread[cell] = std::max(layer.spread, 0.34F * all);
+            }
         }
     }
 

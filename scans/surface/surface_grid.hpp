@@ -56,6 +56,10 @@ struct SurfaceGrid {
     std::vector<float> slope; ///< of the ground over neighbouring cells, tangent; NaN where unknown
     std::vector<std::uint16_t> count; ///< points, at most 65535
     std::vector<CellState> state;
+    /// Where the side runs through a Face, from the middle of the cell to east and north [cells]; not a number where
+    /// nobody knows. May be empty: nobody knows anywhere.
+    std::vector<float> side_east = {};
+    std::vector<float> side_north = {};
 };
 
 } // namespace planum::scans

@@ -2,6 +2,7 @@
 #include "scans/surface/surface_difference.hpp"
 
 #include <cmath>
+#include <memory>
 
 #include "core/base/error.hpp"
 #include "scans/surface/surface_builder.hpp"
@@ -151,4 +152,47 @@ TEST_CASE("Surfaces that lie apart have nothing in common; cells of different si
     CHECK(common_frame({0, 0, 10, 10, 0.02}, {10, 0, 5, 5, 0.02}).cells() == 0);
     CHECK(common_frame({0, 0, 10, 10, 0.02}, {-3, 4, 8, 30, 0.02}) == GridFrame{0, 4, 5, 6, 0.02});
     CHECK_THROWS_AS(common_frame({0, 0, 1, 1, 0.02}, {0, 0, 1, 1, 0.05}), Error);
+}
+
+TEST_CASE("A pit with upright sides has its volume wherever its sides lie in their cells") {
+    const auto field = [](double depth, double shift) {
+        PointBlock points;
+        const auto add = [&](double x, double y, double z) {
+            points.x.push_back(x);
+            points.y.push_back(y);
+            points.z.push_back(z);
+            points.validity.push_back(Validity::Valid);
+        };
+        const double low = 1.0 + shift;
+        for (int i = 0; i < 300; ++i) {
+            for (int j = 0; j < 300; ++j) {
+                const double x = 0.01 * i + 0.005;
+                const double y = 0.01 * j + 0.005;
+                const bool inside = x > low && x < low + 1.0 && y > low && y < low + 1.0;
+                add(x, y, inside ? -depth : 0.0);
+            }
+        }
+        for (double z = -0.005; z > -depth; z -= 0.01) {
+            for (double along = low + 0.005; along < low + 1.0; along += 0.01) {
+                add(along, low + 0.001, z);
+                add(along, low + 0.999, z);
+                add(low + 0.001, along, z);
+                add(low + 0.999, along, z);
+            }
+        }
+        SurfaceScan scan;
+        scan.points = std::make_shared<BlockPoints>(std::move(points));
+        return scan;
+    };
+    const GridFrame frame = frame_around({0.2, 0.2, 2.8, 2.8}, 0.02);
+    const auto built = [&](double depth, double shift) {
+        return build_surface(std::vector{field(depth, shift)}, frame, {}, Progress::none()).grid;
+    };
+    const SurfaceGrid before = built(0.0, 0.0);
+    for (const double shift : {0.0, 0.004, 0.01, 0.015}) {
+        INFO("sides " << shift << " m from the edge of a cell");
+        const DugVolume volume = dug_volumes(before, built(0.3, shift), {}, 1)[0];
+        CHECK(volume.net == Approx(0.3).epsilon(0.01));
+        CHECK(std::abs(volume.net - 0.3) < volume.bound());
+    }
 }
