@@ -334,9 +334,7 @@ class Placer {
     }
 
     Adjacency sorted_neighbours(bool upwards) const {
-        Adjacency a = Adjacency::make(
-            g_.nodes, g_.edges.size(), [&](std::size_t i) { return upwards ? g_.edges[i].second : g_.edges[i].first; },
-            [&](std::size_t i) { return upwards ? g_.edges[i].first : g_.edges[i].second; });
+        Adjacency a = upwards ? neighbours_above(g_) : neighbours_below(g_);
         for (std::uint32_t v = 0; v < g_.nodes; ++v) {
             std::sort(a.values.begin() + a.begin[v], a.values.begin() + a.begin[v + 1],
                       [&](std::uint32_t x, std::uint32_t y) { return position_[x] < position_[y]; });

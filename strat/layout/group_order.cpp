@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "strat/matrix/adjacency.hpp"
-
 namespace planum::strat {
 
 namespace {
@@ -14,12 +12,8 @@ class GroupOrderer {
   public:
     GroupOrderer(LayeredGraph& graph, const NodeGroups& groups, Progress& progress)
         : g_(graph), groups_(groups), progress_(progress), position_(graph.nodes, 0), key_(graph.nodes, 0.0) {
-        down_ = Adjacency::make(
-            g_.nodes, g_.edges.size(), [&](std::size_t i) { return g_.edges[i].first; },
-            [&](std::size_t i) { return g_.edges[i].second; });
-        up_ = Adjacency::make(
-            g_.nodes, g_.edges.size(), [&](std::size_t i) { return g_.edges[i].second; },
-            [&](std::size_t i) { return g_.edges[i].first; });
+        down_ = neighbours_below(g_);
+        up_ = neighbours_above(g_);
     }
 
     void order() {

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "strat/layout/path_mover.hpp"
-#include "strat/matrix/adjacency.hpp"
 
 namespace planum::strat {
 
@@ -45,12 +44,8 @@ class Orderer {
   public:
     Orderer(LayeredGraph& graph, const OrderOptions& options, Progress& progress)
         : g_(graph), options_(options), progress_(progress), position_(graph.nodes, 0), layer_(graph.nodes, 0) {
-        down_ = Adjacency::make(
-            g_.nodes, g_.edges.size(), [&](std::size_t i) { return g_.edges[i].first; },
-            [&](std::size_t i) { return g_.edges[i].second; });
-        up_ = Adjacency::make(
-            g_.nodes, g_.edges.size(), [&](std::size_t i) { return g_.edges[i].second; },
-            [&](std::size_t i) { return g_.edges[i].first; });
+        down_ = neighbours_below(g_);
+        up_ = neighbours_above(g_);
         for (std::size_t l = 0; l < g_.layers.size(); ++l) {
             for (const std::uint32_t v : g_.layers[l]) layer_[v] = static_cast<std::uint32_t>(l);
         }
@@ -529,6 +524,18 @@ class Orderer {
 };
 
 } // namespace
+
+Adjacency neighbours_below(const LayeredGraph& graph) {
+    return Adjacency::make(
+        graph.nodes, graph.edges.size(), [&](std::size_t i) { return graph.edges[i].first; },
+        [&](std::size_t i) { return graph.edges[i].second; });
+}
+
+Adjacency neighbours_above(const LayeredGraph& graph) {
+    return Adjacency::make(
+        graph.nodes, graph.edges.size(), [&](std::size_t i) { return graph.edges[i].second; },
+        [&](std::size_t i) { return graph.edges[i].first; });
+}
 
 void order_layers(LayeredGraph& graph, const OrderOptions& options, Progress& progress) {
     Orderer(graph, options, progress).order();

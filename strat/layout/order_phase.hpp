@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "strat/matrix/adjacency.hpp"
 
 namespace planum::strat {
 
@@ -15,6 +16,10 @@ struct LayeredGraph {
     std::vector<std::vector<std::uint32_t>> layers;             ///< nodes of each level, left to right
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges; ///< (upper, lower)
 };
+
+/// Each node's neighbours on the next level, and on the one before.
+[[nodiscard]] Adjacency neighbours_below(const LayeredGraph& graph);
+[[nodiscard]] Adjacency neighbours_above(const LayeredGraph& graph);
 
 struct OrderOptions {
     std::int64_t work = 0;   ///< about how many steps may be spent; 0: by the size of the graph
