@@ -154,7 +154,11 @@ void measure_opening(MainWindow& window, const fs::path& site) {
     QElapsedTimer timer;
     timer.start();
     window.open(site, store::OpenMode::ReadWrite);
-    seconds_until([&] { return list->model()->rowCount() == kUnits; });
+    Workspace& workspace = window.models().workspace;
+    seconds_until([&] {
+        return workspace.is_open() &&
+               list->model()->rowCount() == static_cast<int>(workspace.snapshot()->record().units.size());
+    });
     window.grab();
     fmt::print("units listed and painted: {:.2f} s\n", static_cast<double>(timer.elapsed()) / 1e3);
     seconds_until([&] { return window.models().problems.is_checked(); });
@@ -200,6 +204,7 @@ void measure_space(MainWindow& window) {
 
 int main(int argc, char** argv) {
     const std::int64_t points = 1'000'000LL * (argc > 1 ? std::atoi(argv[1]) : 8);
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     QApplication application(argc, argv);
     apply_theme(ThemeKind::Light);
     bench::Scratch scratch;

@@ -5,6 +5,7 @@
 #include <QCommandLineOption>
 #include <QCommandLineParser>
 #include <QObject>
+#include <QStandardPaths>
 #include <QStringList>
 
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include <string_view>
 
 #include "core/base/error.hpp"
+#include "gui/viewmodels/backup_rotation.hpp"
 #include "gui/widgets/language.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/window/main_window.hpp"
@@ -132,6 +134,11 @@ int run_desktop(int argc, char** argv) {
             window.open(arguments.site.toStdString(),
                         arguments.read_only ? store::OpenMode::ReadOnly : store::OpenMode::ReadWrite);
         }
+        const BackupRotation copies(
+            window.models().workspace,
+            std::filesystem::path(
+                QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString()) /
+                "copies");
         window.show();
         return QApplication::exec();
     } catch (const Error& error) {

@@ -132,6 +132,17 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::BackupRotation</name>
+    <message>
+        <source>Keeping a copy</source>
+        <translation>Kopie anlegen</translation>
+    </message>
+    <message>
+        <source>No copy of the project could be kept: %1</source>
+        <translation>Vom Projekt ließ sich keine Kopie anlegen: %1</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::CardPanel</name>
     <message>
         <source>Full record</source>

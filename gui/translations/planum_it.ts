@@ -132,6 +132,17 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::BackupRotation</name>
+    <message>
+        <source>Keeping a copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No copy of the project could be kept: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::CardPanel</name>
     <message>
         <source>Full record</source>

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QBuffer>
+#include <QListView>
 #include <QPixmap>
 
 #include <string_view>
@@ -54,6 +55,13 @@ void write_screenshot(MainWindow& window, const ScreenshotRequest& request) {
     }
     settle(window);
     if (request.view == "problems") window.models().problems.open(0);
+    if (request.view == "suggestions") {
+        window.show_view("plan");
+        settle(window);
+        if (auto* list = window.findChild<QListView*>(QStringLiteral("suggestionList"))) {
+            list->setCurrentIndex(list->model()->index(0, 0));
+        }
+    }
     settle(window);
     QByteArray bytes;
     QBuffer buffer(&bytes);
