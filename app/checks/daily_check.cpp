@@ -90,7 +90,7 @@ void accept_problem(Project& project, std::string_view id, std::string_view beca
 void sign_off(Project& project, Progress& progress) {
     const DailyCheck check = check_project(project, {}, progress);
     std::vector<model::Decision> decisions = strat::sign_off(check.problems, project.clock().now());
-    project.change("Sign the day off", [&] {
+    project.change(kSignOffLabel, [&] {
         for (model::Decision& decision : decisions) {
             decision.author = project.author();
             project.file().insert(decision);

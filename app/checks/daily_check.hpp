@@ -15,6 +15,9 @@
 
 namespace planum::app {
 
+/// How the history calls the change that signs a day off.
+inline constexpr std::string_view kSignOffLabel = "Sign the day off";
+
 /// The evening's check: what is wrong and undecided, what was decided, how much could be judged.
 struct DailyCheck {
     std::vector<model::Diagnostic> problems; ///< undecided; new since the last sign-off first

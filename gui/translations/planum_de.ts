@@ -859,6 +859,10 @@
             <numerusform>%n Hinweise</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ProblemPanel</name>
@@ -917,6 +921,17 @@
     <message>
         <source>Keep it silent</source>
         <translation>Stillstellen</translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n change(s) since</source>
+        <translation>
+            <numerusform>; %n Änderung seither</numerusform>
+            <numerusform>; %n Änderungen seither</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed after the day was signed off</source>
+        <translation>Geändert, nachdem der Tag abgezeichnet war</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,16 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::ProblemPanel</name>
+    <message numerus="yes">
+        <source>; %n change(s) since</source>
+        <translation>
+            <numerusform>; %n change since</numerusform>
+            <numerusform>; %n changes since</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::SuggestionListModel</name>
     <message numerus="yes">
         <source>%n relation(s) proposed</source>

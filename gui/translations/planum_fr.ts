@@ -859,6 +859,10 @@
             <numerusform></numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ProblemPanel</name>
@@ -916,6 +920,17 @@
     </message>
     <message>
         <source>Keep it silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n change(s) since</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed after the day was signed off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -164,6 +164,18 @@ QString ProblemListModel::summary() const {
         .join(QStringLiteral(", "));
 }
 
+QStringList ProblemListModel::changes_since_sign_off() const {
+    QStringList lines;
+    if (snapshot_ == nullptr || check_->signed_off_at.empty()) return lines;
+    for (const store::ChangeEntry& change : snapshot_->changes) { // newest first
+        if (change.undone) continue;
+        if (change.label == app::kSignOffLabel) break;
+        const QString when = qt(change.made_at).left(16).replace(QLatin1Char('T'), QLatin1Char(' '));
+        lines << tr("%1, %2: %3").arg(when, qt(change.author), qt(change.label));
+    }
+    return lines;
+}
+
 QStringList ProblemListModel::coverage() const {
     const model::Coverage& c = check_->coverage;
     QStringList lines;

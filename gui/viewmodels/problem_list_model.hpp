@@ -61,6 +61,9 @@ class ProblemListModel : public QAbstractListModel {
 
     /// `2 errors, 5 warnings, 12 remarks`
     [[nodiscard]] QString summary() const;
+    /// What was changed after the day was signed off, newest first, a line each: when, who, what. Empty as long as
+    /// nobody signed.
+    [[nodiscard]] QStringList changes_since_sign_off() const;
     /// How much could be judged, a line each.
     [[nodiscard]] QStringList coverage() const;
 

@@ -111,7 +111,10 @@ void ProblemPanel::show_summary() {
     if (!check.signed_off_at.empty()) {
         text += tr("; signed off %1 by %2").arg(qt(check.signed_off_at).left(10), qt(check.signed_off_by));
     }
+    const QStringList later = models_.problems.changes_since_sign_off();
+    if (!later.isEmpty()) text += tr("; %n change(s) since", nullptr, static_cast<int>(later.size()));
     summary_->setText(text);
+    summary_->setToolTip(later.join(QLatin1Char('\n')));
 }
 
 void ProblemPanel::add_suspect(QVBoxLayout* column, std::size_t at, const SuspectLine& suspect) {
@@ -146,6 +149,9 @@ void ProblemPanel::show_detail() {
     if (detail.id.isEmpty()) {
         column->addWidget(
             label(tr("Choose a problem: its proof shows in the matrix and in every other view."), "faint"));
+        const QStringList later = models_.problems.changes_since_sign_off();
+        if (!later.isEmpty()) column->addWidget(label(tr("Changed after the day was signed off"), "heading"));
+        for (const QString& line : later) column->addWidget(label(line, "faint"));
         for (const QString& line : models_.problems.coverage()) column->addWidget(label(line, "faint"));
         column->addStretch(1);
         scroll_->setWidget(page);

@@ -262,4 +262,10 @@ TEST_CASE("A problem known because of something falls silent; a day signed off m
     settle(desk.models.workspace);
     CHECK_FALSE(problems.check().signed_off_at.empty());
     CHECK(problems.check().new_ids.empty());
+    CHECK(problems.changes_since_sign_off().isEmpty());
+    desk.relate("3", "covers", "2");
+    desk.models.entry.commit();
+    settle(desk.models.workspace);
+    REQUIRE(problems.changes_since_sign_off().size() == 1);
+    CHECK(problems.changes_since_sign_off().front().contains(QStringLiteral("Ada")));
 }
