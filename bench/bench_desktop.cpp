@@ -173,13 +173,10 @@ void measure_space(MainWindow& window) {
     QApplication::processEvents();
     auto* canvas = window.findChild<SpaceCanvas*>();
     if (canvas == nullptr) return fmt::print("no OpenGL here: 3D not measured\n"), void();
-    canvas->setParent(nullptr); // 1600 x 1000 for the drawing itself
-    canvas->resize(1600, 1000);
-    canvas->show();
+    window.resize(window.size() + QSize(1600, 1000) - canvas->size()); // 1600 x 1000 for the drawing itself
     seconds_until([&] { return canvas->drawn_points() >= 250'000; });
     std::vector<double> frames;
     std::size_t least = SIZE_MAX;
-    Pulse pulse;
     QElapsedTimer timer;
     timer.start();
     for (int i = 0; i < 30; ++i) {
@@ -193,11 +190,10 @@ void measure_space(MainWindow& window) {
     std::sort(frames.begin(), frames.end());
     fmt::print("moving, {} x {}: {} points a frame, {:.1f} frames/s, slowest frame {:.0f} ms\n", canvas->width(),
                canvas->height(), least, rate, frames.back());
+    Pulse pulse;
     const double still = seconds_until([&] { return canvas->drawn_points() > 300'000; });
     fmt::print("standing still: {} points after {:.2f} s; longest time without an answer: {} ms\n",
                canvas->drawn_points(), still, pulse.longest());
-    canvas->hide();
-    delete canvas;
 }
 
 } // namespace
