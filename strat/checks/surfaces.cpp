@@ -15,7 +15,8 @@ namespace {
 using model::RelationKind;
 using model::Severity;
 
-constexpr double kVisible = 0.1;                                // from here on surfaces count [m²]
+constexpr double kVisible = 0.1; // from here on surfaces may be sure [m²]
+constexpr double kFaint = 0.02;  // from here on they warn; counted clear of the outlines, so much of a post-hole [m²]
 constexpr double kFlat = 50.0 * 3.14159265358979323846 / 180.0; // steeper contacts only warn [rad]
 
 // Heights are held against what was seen to lie over something; leaning, bonding and age alone say nothing of them.
@@ -24,13 +25,14 @@ bool may_be_compared(RelationKind kind) {
 }
 
 bool is_significant(const model::SurfaceEvidence& e) {
-    return e.testable && e.area >= kVisible && e.area > 4.0 * e.contrary_area;
+    return e.testable && e.area >= kFaint && e.area > 4.0 * e.contrary_area;
 }
 
 model::Diagnostic contradiction(const CheckContext& c, RelationIndex r, const model::SurfaceEvidence& e) {
     const std::string subject = c.name(c.subject[r]);
     const std::string object = c.name(c.object[r]);
-    const bool sure = e.both_faces_own && e.contact_dip < kFlat && e.source != model::EvidenceSource::Levels;
+    const bool sure =
+        e.area >= kVisible && e.both_faces_own && e.contact_dip < kFlat && e.source != model::EvidenceSource::Levels;
     auto d = make_diagnostic(
         sure ? Severity::Error : Severity::Warning, "height-contradiction",
         fmt::format("{}, but over {:.2f} m² {} lay above {}, which came out {:.2f} m lower: the relation is the wrong "

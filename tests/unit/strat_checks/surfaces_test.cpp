@@ -48,7 +48,7 @@ TEST_CASE("A relation whose opposite the surfaces show is an error, one that the
     CHECK(whole.coverage.confirmed == 1);
 }
 
-TEST_CASE("Levels, steep contacts and faces that are not the units' own only warn") {
+TEST_CASE("Levels, steep contacts, little area and faces that are not the units' own only warn") {
     SmallRecord r;
     r.covers("1", "2");
     auto levels = seen_above(r, "2", "1");
@@ -57,18 +57,20 @@ TEST_CASE("Levels, steep contacts and faces that are not the units' own only war
     steep.contact_dip = 1.0;
     auto inside = seen_above(r, "2", "1");
     inside.both_faces_own = false;
-    for (const auto& e : {levels, steep, inside}) {
+    auto little = seen_above(r, "2", "1");
+    little.area = 0.05;
+    for (const auto& e : {levels, steep, inside, little}) {
         const auto said = contradictions(r, {e});
         REQUIRE(said.size() == 1);
         CHECK(said[0].severity == model::Severity::Warning);
     }
 }
 
-TEST_CASE("Little area, thin units, contrary cells and both directions contradict nothing") {
+TEST_CASE("Specks, thin units, contrary cells and both directions contradict nothing") {
     SmallRecord r;
     r.covers("1", "2");
     auto small = seen_above(r, "2", "1");
-    small.area = 0.05;
+    small.area = 0.015;
     auto thin = seen_above(r, "2", "1");
     thin.testable = false;
     auto mixed = seen_above(r, "2", "1");
