@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Registration against the truth of simulated digs. ./dev bench registration [digs FROM TO [SIZE]] | [dig FOLDER]
+// Registration against the truth of simulated digs.
+// ./dev bench registration [digs FROM TO [SIZE]] | [dig FOLDER] | [wrong SITE SITE [PAIRS]]
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "app/registration/scan_shelf.hpp"
+#include "app/scans/scan_stores.hpp"
 #include "bench/bench_support.hpp"
 #include "core/base/error.hpp"
+#include "scans/registration/coarse_alignment.hpp"
 #include "tests/support/registered_dig.hpp"
 
 using namespace planum;
@@ -62,6 +69,46 @@ void bench_digs(std::uint64_t from, std::uint64_t to, const std::string& size) {
                share_within(links) * 100.0, links.size(), digs_within, to - from + 1);
 }
 
+struct SiteFeatures {
+    std::vector<std::string> names;
+    std::vector<scans::FeatureSet> features;
+    std::vector<scans::PreparedScan> prepared;
+};
+
+SiteFeatures features_of_site(const std::filesystem::path& file) {
+    app::Project project = app::Project::open(file, store::OpenMode::ReadOnly, {});
+    SiteFeatures site;
+    for (const auto& scan : project.record().scans) {
+        const auto store = app::open_store(file, scan, Progress::none());
+        site.names.push_back(scan.name);
+        site.features.push_back(app::features_of(*store));
+        site.prepared.push_back(scans::prepare_scan(app::points_of(*store)));
+    }
+    return site;
+}
+
+// Scans of two sites that have nothing to do with each other, paired at random: none may be accepted.
+void bench_wrong_pairs(const std::string& first, const std::string& second, std::uint64_t pairs) {
+    const SiteFeatures a = features_of_site(first);
+    const SiteFeatures b = features_of_site(second);
+    std::mt19937_64 random(1);
+    int coarse = 0;
+    int fine = 0;
+    int most = 0;
+    for (std::uint64_t i = 0; i < pairs; ++i) {
+        const std::size_t t = random() % a.names.size();
+        const std::size_t s = random() % b.names.size();
+        const auto found = scans::align_coarsely(a.features[t], b.features[s]);
+        most = std::max(most, found.inliers);
+        if (!found.is_accepted) continue;
+        ++coarse;
+        fine += scans::align_scans(a.prepared[t], b.prepared[s], found.target_from_source).is_accepted ? 1 : 0;
+    }
+    fmt::print("{} random pairs of scans of two sites: {} passed the features (at most {} inliers), {} the fine "
+               "alignment\n",
+               pairs, coarse, most, fine);
+}
+
 int run(const std::vector<std::string>& arguments) {
     const auto number = [&](std::size_t i, std::uint64_t otherwise) {
         return i < arguments.size() ? static_cast<std::uint64_t>(std::atoll(arguments[i].c_str())) : otherwise;
@@ -71,6 +118,10 @@ int run(const std::vector<std::string>& arguments) {
         for (std::size_t i = 1; i < arguments.size(); ++i)
             print_dig(std::filesystem::path(arguments[i]).filename().string(),
                       test::register_written_dig(arguments[i]));
+        return 0;
+    }
+    if (arguments.size() >= 3 && arguments[0] == "wrong") {
+        bench_wrong_pairs(arguments[1], arguments[2], number(3, 200));
         return 0;
     }
     if (!arguments.empty() && arguments[0] == "digs") {
