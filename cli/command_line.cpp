@@ -36,6 +36,7 @@ void fill(CLI::App& root, Context& context) {
     add_import_commands(root, context);
     add_record_commands(root, context);
     add_region_commands(root, context);
+    add_find_commands(root, context);
     add_survey_commands(root, context);
     add_interpretation_commands(root, context);
     add_check_commands(root, context);

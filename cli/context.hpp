@@ -53,6 +53,8 @@ void add_import_commands(CLI::App& root, Context& context);
 void add_record_commands(CLI::App& root, Context& context);
 /// After the record commands: adds to `region` what only regions have.
 void add_region_commands(CLI::App& root, Context& context);
+/// After the record commands: adds to `find` the proposal of units.
+void add_find_commands(CLI::App& root, Context& context);
 void add_survey_commands(CLI::App& root, Context& context);
 /// After the record commands: adds to `interpretation` the comparison of two.
 void add_interpretation_commands(CLI::App& root, Context& context);

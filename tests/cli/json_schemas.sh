@@ -65,6 +65,8 @@ holds surface-volumes surface site.gpkg --volumes --cell 0.5
 holds plan plan site.gpkg --surface 2025-06-01 -o plan.png --cell 0.1
 holds survey-import survey import site.gpkg "$here/data/station.csv"
 holds suggest suggest site.gpkg
+holds find-assign find assign site.gpkg
+holds find-assign find assign site.gpkg --apply
 holds interpretation-diff interpretation diff site.gpkg record record
 for kind in unit relation phase period group dating find level sample document area surface interpretation; do
   holds record-list "$kind" list site.gpkg
