@@ -14,8 +14,6 @@ namespace planum::app::demo {
 
 namespace {
 
-using model::RelationKind;
-
 std::string sentence(const RecordedRelation& r) { return fmt::format("{} {} {}", r.unit, r.relation, r.other); }
 
 class Spoiler {

@@ -18,7 +18,6 @@ namespace planum::app::demo {
 namespace {
 
 using model::LevelRole;
-using model::RelationKind;
 using model::UnitForm;
 using model::UnitKind;
 using model::UnitStatus;
@@ -243,8 +242,7 @@ class Recorder {
                 phase == plan_.site.phases ? "modern soil" : fmt::format("occupation {}", phase + 1);
             record_.phases.push_back({fmt::format("P{}", phase + 1), title, period, from, to});
         }
-        for (std::size_t u = 0; u < formation_.units().size(); ++u) {
-            const FormedUnit& formed = formation_.units()[u];
+        for (const FormedUnit& formed : formation_.units()) {
             if (formed.form != UnitForm::Layer || formed.thin || !draw_.chance(0.5)) continue;
             const auto [from, to] = years(formed.phase);
             record_.datings.push_back(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <ranges>
 #include <system_error>
 #include <utility>
 
@@ -34,7 +35,7 @@ class FolderWriter {
         if (kept_) return;
         std::error_code ignored; // on the way out of another failure
         for (const fs::path& file : written_) fs::remove(folder_ / file, ignored);
-        for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);
+        for (const fs::path& folder : made_ | std::views::reverse) fs::remove(folder, ignored);
     }
 
     void write(const fs::path& name, const std::string& bytes) {

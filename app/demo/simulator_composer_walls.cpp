@@ -11,8 +11,6 @@ namespace planum::app::demo {
 
 namespace {
 
-using model::UnitForm;
-
 constexpr double kGone = 0.3; ///< as in simulator_composer.cpp [m]
 
 } // namespace

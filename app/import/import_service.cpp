@@ -87,6 +87,7 @@ void insert_parents_first(store::ProjectFile& file, const std::vector<T>& values
     std::set<decltype(T::id)> waiting;
     for (const T& value : values) waiting.insert(value.id);
     std::vector<const T*> rest;
+    rest.reserve(values.size());
     for (const T& value : values) rest.push_back(&value);
     while (!rest.empty()) {
         std::vector<const T*> later;

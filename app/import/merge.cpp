@@ -530,8 +530,8 @@ void Merge::collect() {
             plan_.changed_units.push_back(entry.unit);
         }
     }
-    for (Kept<model::PhysicalRelation>& kept : relations_) {
-        if (kept.is_new) plan_.new_relations.push_back(std::move(kept.value));
+    for (const Kept<model::PhysicalRelation>& kept : relations_) {
+        if (kept.is_new) plan_.new_relations.push_back(kept.value);
     }
 }
 

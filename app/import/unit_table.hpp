@@ -26,11 +26,11 @@ class UnitTable {
     };
 
     /// Position of the unit a sheet is about; makes it when there is none.
-    std::size_t of_sheet(const strat::UnitName& name);
+    std::size_t of_sheet(const strat::UnitName& raw);
 
     /// Position of the unit that a relation of a unit in `from_area` means. A number without area is looked
     /// for in the speaker's area first, then wherever it is unique; else a mentioned unit is made.
-    std::size_t mentioned(const strat::UnitName& name, const std::string& from_area);
+    std::size_t mentioned(const strat::UnitName& raw, const std::string& from_area);
 
     [[nodiscard]] Entry& at(std::size_t position) { return entries_[position]; }
 

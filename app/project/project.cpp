@@ -142,6 +142,7 @@ model::UnitIndex Project::unit_named(std::string_view name) {
         throw Error(ErrorCode::NotFound, fmt::format("no unit {}{}", name, hint));
     }
     std::vector<std::string> names;
+    names.reserve(hits.size());
     for (const model::UnitIndex unit : hits) names.push_back(index().name(unit));
     throw Error(ErrorCode::Usage,
                 fmt::format("unit {} is used in {} areas; say which: {}", name, hits.size(), text::join(names, ", ")));

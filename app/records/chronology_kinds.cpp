@@ -35,6 +35,7 @@ std::vector<Field<model::UnitGroup>> group_fields() {
     fields.push_back({{"members", "its units, separated by commas"},
                       [](const G& group, Project& project) {
                           std::vector<std::string> names;
+                          names.reserve(group.members.size());
                           for (const model::UnitId member : group.members)
                               names.push_back(project.index().name(member));
                           return text::join(names, ", ");

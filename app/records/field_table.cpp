@@ -26,7 +26,7 @@ std::optional<std::int64_t> integer_from(const std::string& field, const std::st
 }
 
 std::string date_from(const std::string& field, const std::string& text) {
-    const std::string date{text::trim(text)};
+    std::string date{text::trim(text)};
     if (date.empty()) return date;
     if (!is_day(date)) throw Error(ErrorCode::BadInput, fmt::format("{}: {} is no day; write YYYY-MM-DD", field, text));
     return date;

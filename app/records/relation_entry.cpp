@@ -12,7 +12,6 @@
 
 namespace planum::app {
 
-using model::RelationKind;
 using model::StatementSide;
 
 SaidRelation parse_relation(Project& project, std::string_view sentence) {
@@ -70,8 +69,8 @@ std::string add_relation(Project& project, const RelationEntry& entry, std::stri
             statement.relation = relation.id;
         }
     }
-    const std::string name = fmt::format("{} {} {}", project.index().name(said.subject), to_word(said.kind),
-                                         project.index().name(said.object));
+    std::string name = fmt::format("{} {} {}", project.index().name(said.subject), to_word(said.kind),
+                                   project.index().name(said.object));
     project.change("Add relation " + name, [&] {
         if (statement.relation.is_nil()) {
             model::PhysicalRelation relation;

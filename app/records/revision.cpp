@@ -115,6 +115,7 @@ model::UnitId split_unit(Project& project, model::UnitId unit, std::string_view 
     half.number = std::string(text::trim(number));
     if (half.number.empty()) throw Error(ErrorCode::BadInput, "the new unit needs a number");
     std::vector<PhysicalRelation> taken;
+    taken.reserve(moved.size());
     for (const model::RelationId id : moved) taken.push_back(living(project, id));
     const std::vector<PhysicalRelation> existing = project.record().relations;
     const std::string old_name = project.index().name(unit);

@@ -15,13 +15,13 @@ namespace planum::app {
 // All throw NotFound for relations that are gone and Usage without a reason.
 
 /// The relation was not so: it counts no more.
-void withdraw_relation(Project& project, model::RelationId relation, std::string_view because);
+void withdraw_relation(Project& project, model::RelationId id, std::string_view because);
 
 /// It may be so: it stays, marked uncertain.
-void mark_uncertain(Project& project, model::RelationId relation, std::string_view because);
+void mark_uncertain(Project& project, model::RelationId id, std::string_view because);
 
 /// It was another: `instead` takes its place (or one more statement where it is there already).
-void replace_relation(Project& project, model::RelationId relation, const SaidRelation& instead,
+void replace_relation(Project& project, model::RelationId id, const SaidRelation& instead,
                       std::string_view because);
 
 /// The unit is really two: a new one with that number and the same kind, area and phase takes over the relations
