@@ -2,11 +2,12 @@
 #include "scans/surface/conclusions.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
+
+#include "scans/surface/questions.hpp"
 
 namespace planum::scans {
 
@@ -17,16 +18,14 @@ using model::UnitForm;
 using model::UnitKind;
 using Pair = std::pair<UnitNumber, UnitNumber>;
 
-constexpr double kLeastArea = 0.02;       // of all cells of a pair [m²]
+constexpr double kLeastArea = 0.012;      // of all cells of a pair; outlines take from small contacts [m²]
 constexpr double kLeastClearArea = 0.004; // of those away from outlines [m²]
 constexpr double kWorthAsking = 0.1;      // [m²]
 constexpr double kInside = 0.9;           // share of what touches a unit, from which on it lies inside
 constexpr double kMostOfIt = 0.6;         // of a line or of cells
 constexpr double kAllOfIt = 0.8;
-constexpr double kPartReplaced = 0.2;        // below, it may be something seen too late
-constexpr double kMostOfReplaced = 0.4;      // below, something thin may have lain between
-constexpr double kQuestionsOnSurfaces = 0.2; // at most, for each relation proposed
-constexpr double kQuestionsOnLevels = 1.0;
+constexpr double kPartReplaced = 0.2;   // below, it may be something seen too late
+constexpr double kMostOfReplaced = 0.4; // below, something thin may have lain between
 
 double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
@@ -353,52 +352,6 @@ void merge(Conclusion& kept, const Conclusion& more) {
     kept.area = area;
 }
 
-// Questions whose answer the proposals imply already settle nothing.
-void drop_idle_questions(std::vector<Conclusion>& all, std::size_t units) {
-    std::vector<std::vector<UnitNumber>> below(units);
-    for (const Conclusion& c : all) {
-        if (!c.is_question) below[static_cast<std::size_t>(c.unit)].push_back(c.other);
-    }
-    const auto reaches = [&](UnitNumber from, UnitNumber to) {
-        std::vector<char> seen(units, 0);
-        std::vector<UnitNumber> waiting = {from};
-        while (!waiting.empty()) {
-            const UnitNumber u = waiting.back();
-            waiting.pop_back();
-            if (u == to) return true;
-            if (seen[static_cast<std::size_t>(u)] != 0) continue;
-            seen[static_cast<std::size_t>(u)] = 1;
-            for (const UnitNumber v : below[static_cast<std::size_t>(u)]) waiting.push_back(v);
-        }
-        return false;
-    };
-    std::erase_if(all, [&](const Conclusion& c) {
-        return c.is_question && (reaches(c.unit, c.other) || reaches(c.other, c.unit));
-    });
-}
-
-// Nobody answers a hundred questions: the largest contacts first, and no more than fit the relations.
-void keep_most_useful(std::vector<Conclusion>& all) {
-    const auto thin_out = [&](bool levels, double per_relation) {
-        const auto is_of = [&](const Conclusion& c) { return (c.source == model::EvidenceSource::Levels) == levels; };
-        std::vector<double> areas;
-        double relations = 0.0;
-        for (const Conclusion& c : all) {
-            if (is_of(c) && c.is_question) areas.push_back(c.area);
-            if (is_of(c) && !c.is_question) relations += 1.0;
-        }
-        const auto room = static_cast<std::size_t>(per_relation * relations);
-        if (areas.size() <= room) return;
-        std::sort(areas.rbegin(), areas.rend());
-        const double least = room == 0 ? std::numeric_limits<double>::infinity() : areas[room - 1];
-        std::size_t kept = 0;
-        std::erase_if(
-            all, [&](const Conclusion& c) { return is_of(c) && c.is_question && (c.area < least || kept++ >= room); });
-    };
-    thin_out(false, kQuestionsOnSurfaces);
-    thin_out(true, kQuestionsOnLevels);
-}
-
 } // namespace
 
 std::vector<Conclusion> conclude(const AreaHistory& history, std::span<const KnownUnit> units) {
@@ -418,8 +371,7 @@ std::vector<Conclusion> conclude(const AreaHistory& history, std::span<const Kno
         }
         all.push_back(c);
     }
-    drop_idle_questions(all, units.size());
-    keep_most_useful(all);
+    keep_useful_questions(all, units.size());
     return all;
 }
 
