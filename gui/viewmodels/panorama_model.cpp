@@ -117,6 +117,29 @@ void PanoramaModel::load() {
         });
 }
 
+namespace {
+
+// The pixel of a place; for one below or above the picture, the border nearest to it in its direction, so that an
+// outline which leaves the picture at the scanner's feet runs along the border. Unset: the picture does not go there.
+std::optional<Eigen::Vector2d> pixel_or_border(const scans::Projection& projection, const Eigen::Vector3d& x_in_scan) {
+    constexpr int kHalvings = 10; // to a thousandth of the way
+    const auto at = [&](double share) {
+        return projection.pixel_of(Eigen::Vector3d(x_in_scan.x(), x_in_scan.y(), share * x_in_scan.z()));
+    };
+    if (const auto pixel = at(1.0)) return Eigen::Vector2d(pixel->x(), pixel->y());
+    if (!at(0.0)) return std::nullopt;
+    double inside = 0.0;
+    double outside = 1.0;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (inside + outside);
+        (at(middle) ? inside : outside) = middle;
+    }
+    const auto pixel = at(inside);
+    return Eigen::Vector2d(pixel->x(), pixel->y());
+}
+
+} // namespace
+
 std::vector<PointList> ring_in_picture(const scans::Projection& projection, const geometry::Rigid3& scan_from_site,
                                        const model::Ring& ring) {
     constexpr double kPiece = 0.05; // [m]: between corners lines are straight on the ground, not in the picture
@@ -128,7 +151,7 @@ std::vector<PointList> ring_in_picture(const scans::Projection& projection, cons
         const Eigen::Vector3d b = scan_from_site * Eigen::Vector3d(ring[(i + 1) % ring.size()].data());
         const int steps = std::clamp(static_cast<int>((b - a).norm() / kPiece), 1, kMostPieces);
         for (int s = 0; s < steps; ++s) {
-            const auto pixel = projection.pixel_of(a + (b - a) * (static_cast<double>(s) / steps));
+            const auto pixel = pixel_or_border(projection, a + (b - a) * (static_cast<double>(s) / steps));
             const QPointF at = pixel ? QPointF(pixel->x(), pixel->y()) : QPointF();
             const bool jumps =
                 pixel && !pieces.back().isEmpty() && std::abs(at.x() - last.x()) > projection.options().width / 2.0;
