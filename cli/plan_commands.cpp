@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/context.hpp"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/surfaces/plan_sheet.hpp"
+#include "app/surfaces/section_sheet.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
@@ -22,6 +24,9 @@ namespace {
 
 struct Options {
     app::PlanRequest plan;
+    app::SectionRequest section;
+    std::string from;
+    std::string to;
     std::string file;
     std::string scale = "1:20";
     double dpi = 200.0;
@@ -78,6 +83,40 @@ void run_plan(const Context& context, const Options& options) {
     for (const std::string& note : made.notes) context.say(note);
 }
 
+// `X,Y` in site coordinates.
+std::array<double, 2> parse_place(std::string_view text) {
+    const auto parts = text::split(text, ',');
+    if (parts.size() == 2) {
+        const auto x = text::parse_double(text::trim(parts[0]));
+        const auto y = text::parse_double(text::trim(parts[1]));
+        if (x && y) return {*x, *y};
+    }
+    throw Error(ErrorCode::Usage, fmt::format("“{}” is no place; write it as X,Y in site coordinates", text));
+}
+
+void run_section(const Context& context, Options& options) {
+    app::Project project = context.open(store::OpenMode::ReadOnly);
+    options.section.from = parse_place(options.from);
+    options.section.to = parse_place(options.to);
+    options.section.surface = options.plan.surface;
+    options.section.cell = options.plan.cell;
+    const app::SectionSheet made = app::section_sheet(project, options.section, *context.progress);
+    write_sheet(context, made.sheet, options);
+    const geometry::Extent& extent = made.sheet.extent;
+    if (context.json) {
+        return context.print({{"file", options.file},
+                              {"scale", parse_scale(options.scale)},
+                              {"length_m", extent.high[0]},
+                              {"z_min", extent.low[1]},
+                              {"z_max", extent.high[1]},
+                              {"points", made.points},
+                              {"units", made.units}});
+    }
+    *context.out << fmt::format("{}: {:.1f} m long, {:.1f} to {:.1f} m high, at 1:{:g}, {} points, {} outlines\n",
+                                options.file, extent.high[0], extent.low[1], extent.high[1], parse_scale(options.scale),
+                                made.points, made.sheet.shapes.size());
+}
+
 void add_paper(CLI::App& command, Options& options) {
     command.add_option("-o,--output", options.file, "F.png or F.pdf")->required();
     command.add_option("--scale", options.scale, "1:20, 1:50, …")->capture_default_str();
@@ -98,6 +137,16 @@ void add_plan_commands(CLI::App& root, Context& context) {
     plan->add_flag("--colour", options->plan.colour, "scan colour (or reflectance) in place of the shaded relief");
     add_paper(*plan, *options);
     plan->callback([&context, options] { run_plan(context, *options); });
+    auto given = std::make_shared<Options>();
+    CLI::App* section = add_command(root, context, "section", "draw what scans and outlines show in a vertical plane");
+    section->add_option("--from", given->from, "left end: X,Y in site coordinates")->required();
+    section->add_option("--to", given->to, "right end")->required();
+    section->add_option("--surface", given->plan.surface, "only its scans (default: all scans)");
+    section->add_option("--depth", given->section.depth, "points so far from the plane are shown, in metres")
+        ->check(CLI::Range(0.005, 5.0))
+        ->capture_default_str();
+    add_paper(*section, *given);
+    section->callback([&context, given] { run_section(context, *given); });
 }
 
 } // namespace planum::cli

@@ -100,7 +100,10 @@ void paint_reflectance(const Seen& seen, geometry::SheetPicture& picture) {
     }
 }
 
-// Clear pixels within so many of a seen one take the mean of the known among their eight neighbours.
+int hole_passes(const scans::GridFrame& frame) { return static_cast<int>(std::lround(kSmallHole / frame.cell)); }
+
+} // namespace
+
 void close_holes(geometry::SheetPicture& picture, int passes) {
     const auto columns = static_cast<std::size_t>(picture.width);
     const auto rows = static_cast<std::size_t>(picture.height);
@@ -127,10 +130,6 @@ void close_holes(geometry::SheetPicture& picture, int passes) {
         }
     }
 }
-
-int hole_passes(const scans::GridFrame& frame) { return static_cast<int>(std::lround(kSmallHole / frame.cell)); }
-
-} // namespace
 
 geometry::SheetPicture shaded_relief(const scans::SurfaceGrid& grid) {
     scans::GapOptions gaps;

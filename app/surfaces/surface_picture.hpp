@@ -14,6 +14,9 @@ namespace planum::app {
 /// across are closed for the picture only.
 [[nodiscard]] geometry::SheetPicture shaded_relief(const scans::SurfaceGrid& grid);
 
+/// Clear pixels within so many of a seen one take the mean of the known among their eight neighbours.
+void close_holes(geometry::SheetPicture& picture, int passes);
+
 struct Orthophoto {
     geometry::SheetPicture picture;
     bool is_colour = false; ///< false: reflectance

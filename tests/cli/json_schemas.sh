@@ -62,6 +62,7 @@ sed 's/2025-06-01/2025-06-02/' markers.csv >other.csv && "$planum" markers impor
 "$planum" register -q site.gpkg --method markers >/dev/null
 holds surface-change surface site.gpkg 2025-06-02 --since 2025-06-01 --cell 0.5 -o change.tif
 holds surface-volumes surface site.gpkg --volumes --cell 0.5
+holds section section site.gpkg --from 0,2 --to 9,2 -o section.png --depth 1
 holds plan plan site.gpkg --surface 2025-06-01 -o plan.png --cell 0.1
 holds survey-import survey import site.gpkg "$here/data/station.csv"
 holds suggest suggest site.gpkg

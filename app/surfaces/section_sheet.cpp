@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "app/surfaces/section_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/regions/region_layout.hpp"
+#include "app/regions/region_names.hpp"
+#include "app/regions/region_points.hpp"
+#include "app/scans/days_surface.hpp"
+#include "app/surfaces/plan_sheet.hpp"
+#include "app/surfaces/recorded_surface.hpp"
+#include "app/surfaces/surface_picture.hpp"
+#include "core/base/error.hpp"
+#include "core/geometry/polygon_overlay.hpp"
+#include "scans/surface/label_grid.hpp"
+
+namespace planum::app {
+
+namespace {
+
+constexpr double kInPlane = 0.1; // outlines farther off belong to another section [m]
+constexpr double kSpare = 0.2;   // above and below [m]
+
+struct SeenPoint {
+    float along = 0.0F; // [m]
+    float height = 0.0F;
+    scans::Rgb colour;
+    std::uint16_t intensity = 0;
+    bool has_colour = false;
+};
+
+RegionGround slab_of(const SectionRequest& request, double length) {
+    const double ax = (request.to[0] - request.from[0]) / length;
+    const double ay = (request.to[1] - request.from[1]) / length;
+    RegionGround slab;
+    slab.frame_from_site.rotation << ax, ay, 0.0, 0.0, 0.0, 1.0, ay, -ax, 0.0;
+    slab.frame_from_site.translation =
+        -(slab.frame_from_site.rotation * Eigen::Vector3d(request.from[0], request.from[1], 0.0));
+    constexpr double kEndless = 1e4;
+    slab.shape = {{{{0.0, -kEndless, 0.0}, {length, -kEndless, 0.0}, {length, kEndless, 0.0}, {0.0, kEndless, 0.0}}}};
+    slab.low = -request.depth;
+    slab.high = request.depth;
+    return slab;
+}
+
+void paint(const std::vector<SeenPoint>& points, double cell, double low, double high, double length,
+           geometry::MapSheet& sheet) {
+    geometry::SheetPicture picture;
+    picture.pixel = cell;
+    picture.top = high;
+    picture.width = static_cast<std::int32_t>(std::ceil(length / cell));
+    picture.height = static_cast<std::int32_t>(std::ceil((high - low) / cell));
+    const auto cells = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    std::vector<std::array<float, 4>> sums(cells, {0.0F, 0.0F, 0.0F, 0.0F});
+    const bool coloured = std::any_of(points.begin(), points.end(), [](const SeenPoint& p) { return p.has_colour; });
+    for (const SeenPoint& p : points) {
+        if (coloured && !p.has_colour) continue;
+        const auto column = static_cast<std::int64_t>(static_cast<double>(p.along) / cell);
+        const auto row = static_cast<std::int64_t>((high - static_cast<double>(p.height)) / cell);
+        if (column < 0 || row < 0 || column >= picture.width || row >= picture.height) continue;
+        auto& sum = sums[static_cast<std::size_t>(row * picture.width + column)];
+        const float grey = static_cast<float>(p.intensity) / 257.0F;
+        sum[0] += coloured ? static_cast<float>(p.colour.red) : grey;
+        sum[1] += coloured ? static_cast<float>(p.colour.green) : grey;
+        sum[2] += coloured ? static_cast<float>(p.colour.blue) : grey;
+        sum[3] += 1.0F;
+    }
+    picture.rgba.assign(4 * cells, 0);
+    for (std::size_t i = 0; i < cells; ++i) {
+        if (sums[i][3] == 0.0F) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            picture.rgba[4 * i + k] = static_cast<std::uint8_t>(std::clamp(sums[i][k] / sums[i][3], 0.0F, 255.0F));
+        picture.rgba[4 * i + 3] = 255;
+    }
+    close_holes(picture, 2);
+    sheet.pictures.push_back(std::move(picture));
+}
+
+void add_outlines(Project& project, const model::Section& plane, double length, SectionSheet& made) {
+    const model::Record& record = project.record();
+    for (const model::Region& region : record.regions) {
+        if (region.section.is_nil()) continue;
+        const geometry::MultiPolygon shape = onto_plane(scans::shape_of(region), plane);
+        bool inside = !shape.empty();
+        for (const geometry::Rings& rings : shape) {
+            for (const geometry::Point3& p : rings.front())
+                inside = inside && std::abs(p[2]) <= kInPlane && p[0] > -kInPlane && p[0] < length + kInPlane;
+        }
+        if (!inside) continue;
+        const auto unit = project.index().find(region.unit);
+        const bool known = unit != model::kNoUnit;
+        made.sheet.shapes.push_back({shape, known ? unit_look(record.units[unit].kind, record.units[unit].form)
+                                                  : unit_look(model::UnitKind::Unknown, model::UnitForm::None)});
+        const std::string label = region_label(record, project.index(), region);
+        const auto [x, y] = geometry::inner_place(shape);
+        made.sheet.labels.push_back({x, y, label, {}});
+        if (known) made.units.push_back(label);
+    }
+}
+
+} // namespace
+
+SectionSheet section_sheet(Project& project, const SectionRequest& request, Progress& progress) {
+    const model::Record& record = project.record();
+    const double length = std::hypot(request.to[0] - request.from[0], request.to[1] - request.from[1]);
+    if (!(length > 0.01)) throw Error(ErrorCode::Usage, "both ends of the section are one place");
+    const model::Surface* surface = request.surface.empty() ? nullptr : &known_surface(record, request.surface);
+    const std::vector<PlacedScan> scans = placed_scans(
+        project, [&](const model::Scan& scan) { return surface == nullptr || scan.surface == surface->id; }, progress);
+    std::vector<SeenPoint> points;
+    const RegionGround slab = slab_of(request, length);
+    for_points_on(slab, scans, [&](const RegionPoint& p) {
+        const Eigen::Vector3d x = slab.frame_from_site * p.x_in_site;
+        points.push_back({static_cast<float>(x.x()), static_cast<float>(x.y()), p.colour, p.intensity, p.has_colour});
+    });
+    SectionSheet made;
+    made.points = points.size();
+    model::Section plane;
+    plane.from_in_site = request.from;
+    plane.to_in_site = request.to;
+    add_outlines(project, plane, length, made);
+    geometry::Extent extent;
+    for (const geometry::SheetShape& shape : made.sheet.shapes) extent.add(geometry::extent(shape.shape));
+    if (!points.empty()) { // what stands high above the ground, a tree or a person, is cut off
+        std::vector<float> heights;
+        for (const SeenPoint& p : points) heights.push_back(p.height);
+        std::sort(heights.begin(), heights.end());
+        extent.add(0.0, static_cast<double>(heights[heights.size() / 100]));
+        extent.add(length, static_cast<double>(heights[heights.size() - 1 - heights.size() / 50]));
+    }
+    if (extent.is_empty()) throw Error(ErrorCode::BadInput, "neither registered scans nor outlines lie in this plane");
+    made.sheet.extent = {{0.0, std::floor((extent.low[1] - kSpare) * 10.0) / 10.0},
+                         {length, std::ceil((extent.high[1] + kSpare) * 10.0) / 10.0}};
+    if (!points.empty())
+        paint(points, request.cell, made.sheet.extent.low[1], made.sheet.extent.high[1], length, made.sheet);
+    made.sheet.is_section = true;
+    made.sheet.site = record.settings.name;
+    made.sheet.title = surface == nullptr ? "Section" : "Section, " + surface_name(record, *surface);
+    made.sheet.subtitle =
+        fmt::format("from {:.2f} {:.2f} to {:.2f} {:.2f}, seen within {:.0f} cm of the plane", request.from[0],
+                    request.from[1], request.to[0], request.to[1], 100.0 * request.depth);
+    return made;
+}
+
+} // namespace planum::app
