@@ -43,7 +43,7 @@ class KnownOrders {
     [[nodiscard]] std::size_t settled_by(UnitNumber later, UnitNumber earlier) const {
         std::size_t pairs = 0;
         for (const std::size_t u : above_[static_cast<std::size_t>(later)]) {
-            for (const std::size_t v : under_[static_cast<std::size_t>(earlier)]) pairs += below_[u][v] ? 0 : 1;
+            for (const std::size_t v : under_[static_cast<std::size_t>(earlier)]) pairs += below_[u][v] ? 0U : 1U;
         }
         return pairs;
     }
