@@ -26,7 +26,7 @@ void TerminalProgress::step(std::string_view name) {
 
 void TerminalProgress::fraction(double done) {
     const auto now = std::chrono::steady_clock::now();
-    if (!visible_ || now - began_ < 1s || now - last_ < 100ms) return;
+    if (!visible_ || now - started_ < 1s || now - last_ < 100ms) return;
     last_ = now;
     const double spent = std::chrono::duration<double>(now - began_).count();
     const double left = done > 0.01 ? spent / done - spent : 0.0;

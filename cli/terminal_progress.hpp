@@ -11,7 +11,7 @@
 namespace planum::cli {
 
 /// One line on a terminal that says what is being done, how far it is and how long it will take; nothing
-/// where stderr is no terminal, and nothing for what takes less than a second.
+/// where stderr is no terminal, and nothing in the first second of a command.
 class TerminalProgress final : public Progress {
   public:
     TerminalProgress(std::ostream& err, bool visible, std::stop_token token);
@@ -28,6 +28,7 @@ class TerminalProgress final : public Progress {
     bool shown_ = false;
     std::string name_;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point last_ = began_;
 };
 

@@ -285,10 +285,15 @@ const model::StratigraphicUnit* Assigner::unit_of(const BodyThere& body) const {
     return at == model::kNoUnit ? nullptr : &record_.units[at];
 }
 
-// Units that may have been dug at the place between two surfaces: in touch with the body by a relation, drawn on no
-// surface at all, and not known to be dug on another day.
+// Units that may have been dug at the place between two surfaces: drawn on no surface at all, not known to be dug on
+// another day, and on stratigraphic surfaces in touch with the body by a relation. What was found and emptied within
+// one level touches what the level shows only by chance.
 std::vector<std::string> Assigner::rivals_of(const BodyThere& body, const std::string& day) const {
     std::vector<std::string> rivals;
+    const auto is_level = [](const SeenThere* seen) {
+        return seen != nullptr && seen->surface->method != model::DigMethod::Stratigraphic;
+    };
+    const bool by_levels = is_level(body.first) || is_level(body.below);
     for (const model::StratigraphicUnit& unit : record_.units) {
         const bool holds_nothing = unit.kind == model::UnitKind::Cut || unit.kind == model::UnitKind::Interface;
         if (unit.id == body.unit || holds_nothing || dug_on(unit, day) == DugOn::No) continue;
@@ -301,7 +306,7 @@ std::vector<std::string> Assigner::rivals_of(const BodyThere& body, const std::s
                 return (r.subject == unit.id && r.object == body.unit) ||
                        (r.subject == body.unit && r.object == unit.id);
             });
-        if (touches && !drawn) rivals.push_back(index_.name(unit.id));
+        if ((touches || by_levels) && !drawn) rivals.push_back(index_.name(unit.id));
     }
     std::sort(rivals.begin(), rivals.end(), text::NaturalLess{});
     return rivals;

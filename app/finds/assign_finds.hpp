@@ -36,7 +36,8 @@ struct AssignOptions {
 /// surfaces from the last before its day to the first after it, the one whose upper face is at or above it and whose
 /// lower bounding face at or below, both within the project's tolerance. Where two are possible, or a face that
 /// decides is not known, none is proposed; nor a unit that the record says was dug on other days, nor one in
-/// touch with a unit that no surface shows and that may have been dug then. A find without height gets that of the
+/// touch with a unit that no surface shows and that may have been dug then, nor on levels where there is such a unit at
+/// all. A find without height gets that of the
 /// surface of its day, and a unit only where those surfaces agree. Throws Usage when `day` is no day, Cancelled.
 FindAssignment assign_finds(Project& project, const AssignOptions& options, Progress& progress);
 

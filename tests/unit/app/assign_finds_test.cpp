@@ -161,6 +161,21 @@ TEST_CASE("Between artificial levels the face lies somewhere: a find there may b
     CHECK(all[1].unit == "1");
 }
 
+TEST_CASE("On artificial levels a unit that no level shows may hold the find, whatever it touches") {
+    Trench trench(model::DigMethod::Planum);
+    trench.bare(1, "1", 10.0);
+    trench.bare(2, "1", 9.8);
+    trench.bare(3, "2", 9.6);
+    trench.find("inside", 9.9, 1);
+    CHECK(trench.only().unit == "1");
+    model::StratigraphicUnit unseen;
+    unseen.number = "9";
+    unseen.excavated_on = "2025-06-01";
+    trench.project.change("unit", [&] { trench.project.file().insert(unseen); });
+    CHECK(trench.only().unit.empty());
+    CHECK(trench.only().candidates == std::vector<std::string>{"1", "9"});
+}
+
 TEST_CASE("A find without height gets that of the surface of its day, and a unit where the surfaces agree") {
     Trench trench;
     trench.bare(1, "1", 10.0);
