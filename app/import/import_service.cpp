@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/import/project_input.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/base/text.hpp"
@@ -170,10 +171,14 @@ void apply_merge(Project& project, const MergePlan& plan, std::string_view label
 ImportReport import_files(Project& project, const std::vector<std::filesystem::path>& files,
                           const ImportOptions& options, Progress& progress) {
     std::vector<strat::InputFile> inputs;
+    std::vector<strat::ReadNote> left_behind;
     for (const std::filesystem::path& file : expand(files)) {
         progress.check();
         progress.step("reading " + file.filename().string());
         inputs.push_back(strat::load_input_file(file));
+        for (auto& note : read_as_project(inputs.back(), {&project.clock(), &project.uuids(), {}})) {
+            left_behind.push_back(std::move(note));
+        }
     }
     name_apart(inputs);
     const std::vector<strat::Reading> plan_of_reading = strat::plan_reading(inputs, options.format);
@@ -195,6 +200,7 @@ ImportReport import_files(Project& project, const std::vector<std::filesystem::p
     const MergePlan plan = plan_merge(project.record(), sets, merge_options, project.uuids(), project.clock());
     ImportReport report = report_of(plan);
     report.readings = std::move(readings);
+    report.notes = std::move(left_behind);
     for (ImportSet& set : sets) {
         report.notes.insert(report.notes.end(), set.notes.begin(), set.notes.end());
     }

@@ -41,8 +41,8 @@ class UnitTable {
     /// Id of the area with that name; makes it when there is none. Nil for an empty name.
     model::AreaId area(const std::string& name);
 
-    /// The same with all that a source says of it. Only areas that this import makes take it; they are dug as the project
-    /// is, unless a source says planum or mixed.
+    /// The same with all that a source says of it. Only areas that this import makes take it; they are dug as the
+    /// project is, unless a source says planum or mixed.
     void offer(const model::Area& area);
     [[nodiscard]] std::string area_name(model::AreaId id) const;
 
