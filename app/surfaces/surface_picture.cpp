@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -100,35 +101,63 @@ void paint_reflectance(const Seen& seen, geometry::SheetPicture& picture) {
     }
 }
 
+// Calls `visit` with where each pixel begins in `rgba`, and where its neighbours, up to eight, do.
+template<class Visit>
+void for_each_pixel(const geometry::SheetPicture& picture, Visit visit) {
+    const auto columns = static_cast<std::size_t>(picture.width);
+    const auto rows = static_cast<std::size_t>(picture.height);
+    std::vector<std::size_t> around;
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            around.clear();
+            for (std::size_t r = row > 0 ? row - 1 : 0; r <= std::min(rows - 1, row + 1); ++r) {
+                for (std::size_t c = column > 0 ? column - 1 : 0; c <= std::min(columns - 1, column + 1); ++c) {
+                    if (r != row || c != column) around.push_back(4 * (r * columns + c));
+                }
+            }
+            visit(4 * (row * columns + column), around);
+        }
+    }
+}
+
+// Clear pixels beside a known one become the mean of the known among their neighbours.
+void grow(geometry::SheetPicture& picture) {
+    const std::vector<std::uint8_t> before = picture.rgba;
+    for_each_pixel(picture, [&](std::size_t here, const std::vector<std::size_t>& around) {
+        if (before[here + 3] != 0) return;
+        std::array<unsigned, 3> sum{};
+        unsigned known = 0;
+        for (const std::size_t there : around) {
+            if (before[there + 3] == 0) continue;
+            ++known;
+            for (std::size_t k = 0; k < 3; ++k) sum[k] += before[there + k];
+        }
+        if (known == 0) return;
+        for (std::size_t k = 0; k < 3; ++k) picture.rgba[here + k] = static_cast<std::uint8_t>(sum[k] / known);
+        picture.rgba[here + 3] = 255;
+    });
+}
+
+// Pixels beside a clear one become clear again, but for those that were `seen`.
+void shrink(geometry::SheetPicture& picture, const std::vector<std::uint8_t>& seen) {
+    const std::vector<std::uint8_t> before = picture.rgba;
+    for_each_pixel(picture, [&](std::size_t here, const std::vector<std::size_t>& around) {
+        if (seen[here + 3] != 0 || before[here + 3] == 0) return;
+        const bool at_rim =
+            around.size() < 8 || // nothing is known beyond the picture
+            std::any_of(around.begin(), around.end(), [&](std::size_t there) { return before[there + 3] == 0; });
+        if (at_rim) std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(here), 4, std::uint8_t{0});
+    });
+}
+
 int hole_passes(const scans::GridFrame& frame) { return static_cast<int>(std::lround(kSmallHole / frame.cell)); }
 
 } // namespace
 
 void close_holes(geometry::SheetPicture& picture, int passes) {
-    const auto columns = static_cast<std::size_t>(picture.width);
-    const auto rows = static_cast<std::size_t>(picture.height);
-    for (int pass = 0; pass < passes; ++pass) {
-        const std::vector<std::uint8_t> before = picture.rgba;
-        for (std::size_t row = 0; row < rows; ++row) {
-            for (std::size_t column = 0; column < columns; ++column) {
-                const std::size_t here = 4 * (row * columns + column);
-                if (before[here + 3] != 0) continue;
-                std::array<unsigned, 3> sum{};
-                unsigned known = 0;
-                for (std::size_t r = row > 0 ? row - 1 : 0; r <= std::min(rows - 1, row + 1); ++r) {
-                    for (std::size_t c = column > 0 ? column - 1 : 0; c <= std::min(columns - 1, column + 1); ++c) {
-                        const std::size_t there = 4 * (r * columns + c);
-                        if (before[there + 3] == 0) continue;
-                        ++known;
-                        for (std::size_t k = 0; k < 3; ++k) sum[k] += before[there + k];
-                    }
-                }
-                if (known == 0) continue;
-                for (std::size_t k = 0; k < 3; ++k) picture.rgba[here + k] = static_cast<std::uint8_t>(sum[k] / known);
-                picture.rgba[here + 3] = 255;
-            }
-        }
-    }
+    const std::vector<std::uint8_t> seen = picture.rgba;
+    for (int pass = 0; pass < passes; ++pass) grow(picture);
+    for (int pass = 0; pass < passes; ++pass) shrink(picture, seen);
 }
 
 geometry::SheetPicture shaded_relief(const scans::SurfaceGrid& grid) {

@@ -14,7 +14,8 @@ namespace planum::app {
 /// across are closed for the picture only.
 [[nodiscard]] geometry::SheetPicture shaded_relief(const scans::SurfaceGrid& grid);
 
-/// Clear pixels within so many of a seen one take the mean of the known among their eight neighbours.
+/// Clear pixels between seen ones, up to twice `passes` apart, take the mean of the known around them; what lies
+/// outside stays clear, so that a line of single pixels stays one (a morphological closing with a square).
 void close_holes(geometry::SheetPicture& picture, int passes);
 
 struct Orthophoto {
@@ -23,8 +24,8 @@ struct Orthophoto {
 };
 
 /// What the ground looks like from above: the mean colour of the points of a cell that lie within 5 cm of its height;
-/// reflectance as grey, drawn out from 2 % to 98 %, where no scan has colour. Cells within 5 cm of a seen one take its
-/// colour, others are clear.
+/// reflectance as grey, drawn out from 2 % to 98 %, where no scan has colour. Holes up to 10 cm
+/// across are closed, the rest is clear.
 [[nodiscard]] Orthophoto orthophoto(const scans::SurfaceGrid& grid, std::span<const scans::SurfaceScan> scans,
                                     Progress& progress);
 
