@@ -88,7 +88,7 @@ void print_problems(const Context& context, const app::DailyCheck& check, const 
 
 void print_coverage(const Context& context, const model::Coverage& coverage) {
     *context.out << fmt::format(
-        "of {} relations that state an order: {} confirmed by measured heights, {} contradicted\n", coverage.relations,
+        "of {} relations that state an order: {} confirmed by levels or surfaces, {} contradicted\n", coverage.relations,
         coverage.confirmed, coverage.contradicted);
     for (const auto& [reason, count] : coverage.untestable) {
         *context.out << fmt::format("  {} could not be judged: {}\n", count, reason);

@@ -70,8 +70,11 @@ void run_demo(const Context& context, const Options& options) {
     out << "look at these next:\n";
     for (const auto& file : job.drawings) out << "  " << file.string() << '\n';
     if (job.registered == 0) out << fmt::format("  planum register {}   (takes minutes)\n", job.project.string());
-    out << fmt::format("  planum check {}\n  planum today {}\n  planum scan list {}\n  planum region list {}\n",
-                       job.mistaken_project.string(), job.project.string(), job.project.string(), job.project.string());
+    const std::string site = job.project.string();
+    const std::string mistaken = job.mistaken_project.string();
+    out << fmt::format("  planum check {0}\n  planum suggest {0}\n", mistaken);
+    out << fmt::format("  planum today {0}\n  planum plan {0} -o plan.png\n  planum scan list {0}\n", site);
+    out << fmt::format("  planum-desktop {}\n", site);
 }
 
 } // namespace

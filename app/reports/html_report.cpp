@@ -170,7 +170,7 @@ class Page {
         const model::Coverage& c = input_.coverage;
         out_ += fmt::format(
             "<h2>What could be judged</h2>\n<table>\n<tr><th>relations that state an order</th><td>{}</td></tr>\n"
-            "<tr><th>confirmed by measured heights</th><td>{}</td></tr>\n"
+            "<tr><th>confirmed by levels or surfaces</th><td>{}</td></tr>\n"
             "<tr><th>contradicted</th><td>{}</td></tr>\n",
             c.relations, c.confirmed, c.contradicted);
         for (const auto& [reason, count] : c.untestable) {
