@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "app/evidence/step_cache.hpp"
+#include "app/scans/days_surface.hpp"
 #include "app/scans/scan_stores.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "app/surfaces/surface_cache.hpp"
@@ -297,7 +298,7 @@ class AreaWork {
         for (const model::StratigraphicUnit& unit : record_.units) {
             if (numbers_.contains(unit.id) || unit.status == model::UnitStatus::Void) continue;
             if (!unit.area.is_nil() && !evidence_.area.is_nil() && unit.area != evidence_.area) continue;
-            if (unit.excavated_on <= upper.last_day || unit.excavated_on > lower.last_day) continue;
+            if (unit.excavated_on <= last_day_of(upper) || unit.excavated_on > last_day_of(lower)) continue;
             const std::size_t before = cells.size();
             for (const model::Level& level : record_.levels) {
                 if (level.unit == unit.id) add_cell(cells, level.x, level.y);

@@ -156,15 +156,11 @@ class Assigner {
     FindAssignment result_;
 };
 
-const std::string& last_day(const SeenThere& seen) {
-    return seen.surface->last_day.empty() ? seen.surface->first_day : seen.surface->last_day;
-}
-
 // Of the bodies at one place those that were to be seen between the last surface before the day and the first after it.
 std::vector<BodyThere> bodies_of_day(const std::vector<BodyThere>& bodies, const std::string& day) {
     std::vector<BodyThere> kept;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const bool gone_before = i + 1 < bodies.size() && last_day(*bodies[i + 1].first) < day;
+        const bool gone_before = i + 1 < bodies.size() && last_day_of(*bodies[i + 1].first->surface) < day;
         const bool bare_later = i > 0 && bodies[i - 1].last->surface->first_day > day;
         if (day.empty() || !(gone_before || bare_later)) kept.push_back(bodies[i]);
     }

@@ -6,6 +6,7 @@
 
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_names.hpp"
+#include "app/scans/days_surface.hpp"
 #include "core/geometry/polygons.hpp"
 
 namespace planum::app {
@@ -48,16 +49,11 @@ RegionGround ground_of(const MultiPolygon& shown, const model::Section* section)
     return ground;
 }
 
-bool on_a_day_of(const model::Scan& scan, const model::Surface& surface) {
-    const std::string& last = surface.last_day.empty() ? surface.first_day : surface.last_day;
-    return surface.first_day <= scan.day && scan.day <= last;
-}
-
 } // namespace
 
 bool may_show(const model::Record& record, const model::Scan& scan, const model::Surface& surface) {
     if (scan.surface == surface.id) return true;
-    if (!on_a_day_of(scan, surface)) return false;
+    if (!holds_day(surface, scan.day)) return false;
     for (const model::Surface& other : record.surfaces) {
         if (other.id == scan.surface) return other.area != surface.area;
     }

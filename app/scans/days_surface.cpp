@@ -76,6 +76,14 @@ void require_day(std::string_view option, std::string_view text) {
     throw Error(ErrorCode::Usage, fmt::format("{} {}: not a day of the calendar as 2025-06-01", option, text));
 }
 
+const std::string& last_day_of(const model::Surface& surface) noexcept {
+    return surface.last_day.empty() ? surface.first_day : surface.last_day;
+}
+
+bool holds_day(const model::Surface& surface, std::string_view day) noexcept {
+    return surface.first_day <= day && day <= last_day_of(surface);
+}
+
 std::optional<model::AreaId> area_meant(const model::Record& record, std::string_view name) {
     if (name.empty()) return record.areas.size() == 1 ? record.areas.front().id : model::AreaId{};
     for (const model::Area& area : record.areas) {
@@ -126,11 +134,8 @@ model::Surface surface_for_day(const model::Record& record, const std::vector<mo
 const model::Surface* surface_on_day(const std::vector<model::Surface>& surfaces, model::AreaId area,
                                      std::string_view day) {
     const std::vector<const model::Surface*> there = in_order(surfaces, area);
-    const auto holds = [&](const model::Surface* s) {
-        const std::string& last = s->last_day.empty() ? s->first_day : s->last_day;
-        return s->first_day <= day && day <= last;
-    };
-    const auto found = std::find_if(there.rbegin(), there.rend(), holds);
+    const auto found =
+        std::find_if(there.rbegin(), there.rend(), [&](const model::Surface* s) { return holds_day(*s, day); });
     return found == there.rend() ? nullptr : *found;
 }
 

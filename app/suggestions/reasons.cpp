@@ -33,7 +33,7 @@ std::string thickness_text(double thickness) { return fmt::format("{:.0f} cm", s
 std::string surface_day(const model::Record& record, model::SurfaceId id) {
     const auto surface = std::find_if(record.surfaces.begin(), record.surfaces.end(),
                                       [&](const model::Surface& s) { return s.id == id; });
-    return surface == record.surfaces.end() ? std::string{} : day_text(surface->last_day);
+    return surface == record.surfaces.end() ? std::string{} : day_text(last_day_of(*surface));
 }
 
 } // namespace

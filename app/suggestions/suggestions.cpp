@@ -212,7 +212,7 @@ bool concerns_day(const model::Record& record, const Suggestion& suggestion, std
     return std::any_of(record.surfaces.begin(), record.surfaces.end(), [&](const model::Surface& surface) {
         return std::find(suggestion.surfaces.begin(), suggestion.surfaces.end(), surface.id) !=
                    suggestion.surfaces.end() &&
-               surface.first_day <= day && day <= surface.last_day;
+               holds_day(surface, day);
     });
 }
 

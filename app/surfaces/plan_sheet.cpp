@@ -256,9 +256,8 @@ class PlanMaker {
 
     void add_finds(const model::Surface& surface) {
         bool any = false;
-        const std::string& last = surface.last_day.empty() ? surface.first_day : surface.last_day;
         for (const model::Find& find : record_.finds) {
-            if (!find.x || !find.y || find.found_on < surface.first_day || find.found_on > last) continue;
+            if (!find.x || !find.y || !holds_day(surface, find.found_on)) continue;
             sheet().marks.push_back({*find.x, *find.y, geometry::SheetSign::Find, find.number});
             any = true;
         }

@@ -102,6 +102,29 @@ TEST_CASE("What lay bare where something had been dug away is proposed to lie be
     CHECK_FALSE(app::concerns_day(project.record(), s, "2025-06-03"));
 }
 
+TEST_CASE("A surface with a first day alone is one of that day") {
+    const test::TemporaryFolder folder;
+    app::Project project = two_days(folder);
+    const std::vector<model::Surface> surfaces = project.record().surfaces;
+    project.change("no last days; a unit came and went between the two", [&] {
+        for (model::Surface surface : surfaces) {
+            surface.last_day.clear();
+            project.file().update(surface);
+        }
+        model::StratigraphicUnit hidden;
+        hidden.number = "9";
+        hidden.excavated_on = "2025-06-02";
+        project.file().insert(hidden);
+    });
+    const auto list = app::list_suggestions(project, Progress::none());
+    REQUIRE(list.suggestions.size() == 1);
+    const model::Suggestion& s = list.suggestions.front();
+    CHECK_FALSE(s.direct); // 9 may have lain between
+    CHECK(s.kind == model::RelationKind::Later);
+    CHECK(app::concerns_day(project.record(), s, "2025-06-02"));
+    CHECK_THAT(s.reason, Catch::StartsWith("on 2 June 2025"));
+}
+
 TEST_CASE("What was found of two surfaces is kept, and judged again where an outline changed") {
     const test::TemporaryFolder folder;
     app::Project project = two_days(folder);
