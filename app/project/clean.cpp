@@ -2,6 +2,7 @@
 #include "app/project/clean.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/regions/region_heights.hpp"
+#include "app/scans/scan_stores.hpp"
 #include "app/scans/verify_scans.hpp"
 #include "core/base/error.hpp"
 #include "core/base/uuid.hpp"
@@ -44,6 +46,25 @@ std::vector<fs::path> left_over(const fs::path& project) {
     return found;
 }
 
+// Gridded surfaces and what was found between them: each redrawn outline and each new pose leaves old ones, and all are
+// made again when they are asked for. What another program writes just now has another ending.
+std::vector<fs::path> surface_caches(const fs::path& project) {
+    constexpr std::array<std::string_view, 5> kEndings = {".grid", ".summary", ".step", ".density", ".floor"};
+    std::vector<fs::path> found;
+    for (const char* name : {"surfaces", "evidence"}) {
+        const fs::path folder = scans_folder(project) / name;
+        if (!fs::is_directory(folder)) continue;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+            if (!entry.is_regular_file()) continue;
+            const std::string ending = entry.path().extension().string();
+            const bool ours = std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+            if (ours || fs::file_time_type::clock::now() - entry.last_write_time() > kSurelyLeftOver)
+                found.push_back(entry.path());
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 Cleaned clean_project(Project& project, const std::string& forget_undo_before, Progress& progress) {
@@ -63,6 +84,8 @@ Cleaned clean_project(Project& project, const std::string& forget_undo_before, P
         std::vector<fs::path> unneeded = left_over(project.path());
         const std::vector<fs::path> stale = stale_region_heights(project);
         unneeded.insert(unneeded.end(), stale.begin(), stale.end());
+        const std::vector<fs::path> caches = surface_caches(project.path());
+        unneeded.insert(unneeded.end(), caches.begin(), caches.end());
         for (const fs::path& file : unneeded) {
             cleaned.removed_bytes += fs::file_size(file);
             fs::remove(file);
