@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cstring>
 #include <string_view>
-#include <system_error>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "app/project/sealed_file.hpp"
 #include "core/base/error.hpp"
-#include "core/base/file.hpp"
-#include "core/base/sha256.hpp"
 
 namespace planum::app {
 
@@ -22,36 +20,6 @@ using nlohmann::json;
 using scans::UnitNumber;
 
 namespace {
-
-constexpr std::size_t kHash = 64;
-constexpr std::uintmax_t kLargest = std::uintmax_t{4} << 30U; // bytes
-
-// The content of a file that ends with its own hash.
-std::optional<std::string> read_sealed(const fs::path& file) {
-    std::error_code error;
-    if (!fs::exists(file, error)) return std::nullopt;
-    try {
-        std::string bytes = read_file(file, kLargest);
-        if (bytes.size() < kHash) return std::nullopt;
-        const std::string hash = bytes.substr(bytes.size() - kHash);
-        bytes.resize(bytes.size() - kHash);
-        if (sha256(bytes) != hash) return std::nullopt;
-        return bytes;
-    } catch (const Error&) {
-        return std::nullopt; // only a cache: it is made again
-    }
-}
-
-void write_sealed(const fs::path& file, std::string bytes) {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    bytes += sha256(bytes);
-    try {
-        write_file_atomically(file, bytes);
-    } catch (const Error&) {
-        return; // read-only media or a full disk: next time it is made again
-    }
-}
 
 fs::path file_of(const fs::path& folder, const std::string& key, std::string_view ending) {
     return folder / (key.substr(0, 32) + std::string(ending));

@@ -10,14 +10,13 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "app/project/sealed_file.hpp"
 #include "app/regions/region_points.hpp"
 #include "core/base/error.hpp"
-#include "core/base/file.hpp"
 #include "core/base/sha256.hpp"
 #include "core/base/text.hpp"
 
@@ -79,32 +78,20 @@ std::string key_of(const RegionGround& ground, const std::vector<const model::Sc
 }
 
 std::optional<RegionHeights> read_cached(const fs::path& file) {
-    std::error_code error;
-    if (!fs::exists(file, error)) return std::nullopt;
-    try {
-        const std::string bytes = read_file(file, 1000);
-        const auto words = text::split(text::trim(bytes), ' ');
-        if (words.size() != 4) return std::nullopt;
-        const auto points = text::parse_integer(words[0]);
-        const auto low = text::parse_double(words[1]);
-        const auto middle = text::parse_double(words[2]);
-        const auto high = text::parse_double(words[3]);
-        if (!points || !low || !middle || !high) return std::nullopt;
-        return RegionHeights{*points, false, false, *low, *middle, *high};
-    } catch (const Error&) {
-        return std::nullopt; // only a cache
-    }
+    const std::optional<std::string> kept = read_sealed(file);
+    if (!kept) return std::nullopt;
+    const auto words = text::split(*kept, ' ');
+    if (words.size() != 4) return std::nullopt;
+    const auto points = text::parse_integer(words[0]);
+    const auto low = text::parse_double(words[1]);
+    const auto middle = text::parse_double(words[2]);
+    const auto high = text::parse_double(words[3]);
+    if (!points || !low || !middle || !high) return std::nullopt;
+    return RegionHeights{*points, false, false, *low, *middle, *high};
 }
 
 void write_cached(const fs::path& file, const RegionHeights& h) {
-    try {
-        fs::create_directories(file.parent_path());
-        write_file_atomically(file, fmt::format("{} {} {} {}\n", h.points, h.lowest, h.median, h.highest));
-    } catch (const Error&) {
-        return; // read-only media: count again next time
-    } catch (const fs::filesystem_error&) {
-        return;
-    }
+    write_sealed(file, fmt::format("{} {} {} {}", h.points, h.lowest, h.median, h.highest));
 }
 
 // Placed scans by position in the record, each opened once for as long as regions in a row want it: a site of years has

@@ -90,14 +90,14 @@ class AreaEarth {
     }
 
     EarthStep step(const model::Surface& surface, const RecordedSurface& before, const RecordedSurface& after) {
-        const scans::GridFrame frame = scans::common_frame(before.built.grid.frame, after.built.grid.frame);
+        const scans::GridFrame frame = scans::common_frame(before.grid.frame, after.grid.frame);
         if (dug_.empty()) dug_ = dug_cells(frame);
         std::vector<EarthOfUnit> units;
         const std::vector<std::int32_t> label = labels(frame, surface, units);
         scans::VolumeOptions options;
         options.outline_sigma = outline_sigma(surface);
         const std::vector<scans::DugVolume> of_units =
-            scans::dug_volumes(before.built.grid, after.built.grid, label, units.size(), options);
+            scans::dug_volumes(before.grid, after.grid, label, units.size(), options);
         EarthStep result;
         result.before = before.name;
         result.after = after.name;
@@ -105,7 +105,7 @@ class AreaEarth {
             units[i].earth = earth_of(of_units[i]);
             if (units[i].earth.area > 0.0) result.units.push_back(units[i]);
         }
-        const scans::DugVolume total = scans::dug_volumes(before.built.grid, after.built.grid, dug_, 1)[0];
+        const scans::DugVolume total = scans::dug_volumes(before.grid, after.grid, dug_, 1)[0];
         result.total = earth_of(total);
         result.gone = total.gone;
         result.added = total.added;

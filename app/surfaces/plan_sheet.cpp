@@ -15,10 +15,12 @@
 #include "app/regions/region_names.hpp"
 #include "app/scans/days_surface.hpp"
 #include "app/surfaces/recorded_surface.hpp"
+#include "app/surfaces/surface_cache.hpp"
 #include "app/surfaces/surface_picture.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/geometry/polygon_overlay.hpp"
+#include "scans/surface/label_grid.hpp"
 
 namespace planum::app {
 
@@ -137,7 +139,7 @@ class PlanMaker {
         sheet().title = "Plan of " + plan_.surface;
         const std::vector<const model::Region*> regions = regions_on(record_, surface.id);
         geometry::Extent outlines;
-        for (const model::Region* region : regions) outlines.add(geometry::extent(shape_of(*region)));
+        for (const model::Region* region : regions) outlines.add(geometry::extent(scans::shape_of(*region)));
         lay_ground(surface, outlines);
         add_regions(regions);
         add_levels(regions);
@@ -148,16 +150,6 @@ class PlanMaker {
 
     static std::string scans_of(const RecordedSurface& made) {
         return made.scans.size() == 1 ? "one scan" : fmt::format("{} scans", made.scans.size());
-    }
-
-    static geometry::MultiPolygon shape_of(const model::Region& region) {
-        geometry::MultiPolygon shape;
-        for (const model::Polygon& polygon : region.outline) {
-            geometry::Rings rings = {polygon.outer};
-            rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
-            shape.push_back(std::move(rings));
-        }
-        return shape;
     }
 
     // The picture from the scans, and what the sheet shows.
@@ -173,16 +165,16 @@ class PlanMaker {
         }
         RecordedSurface made = recorded_surface(project_, surface, request_.cell, progress_);
         for (const std::string& scan : made.raw) plan_.notes.push_back(scan + " is not registered and was left out");
-        if (outlines.is_empty()) sheet().extent = sheet_extent(seen_extent(made.built.grid), 0.0);
+        if (outlines.is_empty()) sheet().extent = sheet_extent(seen_extent(made.grid), 0.0);
         if (request_.colour) {
-            Orthophoto photo = orthophoto(made.built.grid, made.placed, progress_);
+            Orthophoto photo = orthophoto(made.grid, surface_scans(project_, surface.id, progress_), progress_);
             ground_ = (photo.is_colour ? "colour of " : "reflectance of ") + scans_of(made);
             sheet().pictures.push_back(std::move(photo.picture));
         } else {
             ground_ = "shaded relief from " + scans_of(made);
-            sheet().pictures.push_back(shaded_relief(made.built.grid));
+            sheet().pictures.push_back(shaded_relief(made.grid));
         }
-        grid_ = std::move(made.built.grid);
+        grid_ = std::move(made.grid);
     }
 
     [[nodiscard]] SheetLook look_of(const model::Region& region) const {
@@ -287,7 +279,7 @@ class PlanMaker {
             for (const model::Surface& surface : record_.surfaces) {
                 if (surface.id == region.surface) outlines.emplace_back(&surface, &region);
             }
-            extent.add(geometry::extent(shape_of(region)));
+            extent.add(geometry::extent(scans::shape_of(region)));
         }
         if (outlines.empty())
             throw Error(ErrorCode::BadInput, fmt::format("unit {} has no outline on any surface", name));
@@ -317,7 +309,7 @@ class PlanMaker {
             // Earlier lines are broader, so that they show below later ones that fall on them.
             look.width = std::min(1.4, 0.4 + 0.3 * static_cast<double>(surfaces.size() - 1 - i));
             for (const auto& [surface, region] : outlines) {
-                if (surface == surfaces[i]) sheet().shapes.push_back({shape_of(*region), look});
+                if (surface == surfaces[i]) sheet().shapes.push_back({scans::shape_of(*region), look});
             }
             sheet().keys.push_back({surface_name(record_, *surfaces[i]), look, geometry::SheetSign::None});
         }

@@ -2,13 +2,12 @@
 #include "app/surfaces/recorded_surface.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <tuple>
 
 #include <fmt/format.h>
 
 #include "app/scans/days_surface.hpp"
-#include "app/scans/scan_stores.hpp"
+#include "app/surfaces/surface_cache.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygons.hpp"
 #include "scans/surface/label_grid.hpp"
@@ -21,15 +20,6 @@ const model::Surface* find_surface(const model::Record& record, model::SurfaceId
     const auto found = std::find_if(record.surfaces.begin(), record.surfaces.end(),
                                     [&](const model::Surface& surface) { return surface.id == id; });
     return found == record.surfaces.end() ? nullptr : &*found;
-}
-
-scans::SurfaceScan surface_scan(const PlacedScan& placed) {
-    scans::SurfaceScan scan;
-    scan.name = placed.scan.name;
-    scan.points = std::make_shared<scans::StorePoints>(placed.store, placed.site_from_scan);
-    scan.station = placed.site_from_scan.translation;
-    scan.covariance = placed.covariance;
-    return scan;
 }
 
 } // namespace
@@ -74,30 +64,35 @@ std::optional<scans::PlanBox> plan_of_area(const model::Record& record, model::A
     return scans::PlanBox{extent.low[0] - spare, extent.low[1] - spare, extent.high[0] + spare, extent.high[1] + spare};
 }
 
-RecordedSurface recorded_surface(Project& project, const model::Surface& surface, double cell, Progress& progress) {
-    const model::Record& record = project.record();
+scans::GridFrame frame_of_area(const model::Record& record, model::AreaId area, double cell) {
+    const std::optional<scans::PlanBox> plan = plan_of_area(record, area);
+    if (!plan) {
+        throw Error(ErrorCode::Conflict, "neither outlines nor registered scans say where the area is: planum region "
+                                         "import, planum register");
+    }
+    return scans::frame_around(*plan, cell);
+}
+
+RecordedSurface surface_without_heights(const model::Record& record, const model::Surface& surface) {
     RecordedSurface result;
     result.name = surface_name(record, surface);
     for (const model::Scan& scan : record.scans) {
-        if (scan.surface == surface.id && model::pose_in_force(record, scan.id) == nullptr)
-            result.raw.push_back(scan.name);
+        if (scan.surface != surface.id) continue;
+        (model::pose_in_force(record, scan.id) != nullptr ? result.scans : result.raw).push_back(scan.name);
     }
-    const model::SurfaceId id = surface.id;
-    const std::vector<PlacedScan> placed = placed_scans(
-        project, [&](const model::Scan& scan) { return scan.surface == id; }, progress);
-    if (placed.empty()) {
+    if (result.scans.empty()) {
         throw Error(ErrorCode::Conflict,
                     fmt::format("surface {}: none of its scans stands on the site grid; planum register places them",
                                 result.name));
     }
-    for (const PlacedScan& one : placed) {
-        result.scans.push_back(one.scan.name);
-        result.placed.push_back(surface_scan(one));
-    }
-    scans::SurfaceOptions options;
-    options.tolerance = record.settings.tolerance;
-    const scans::GridFrame frame = scans::frame_around(plan_of_area(record, surface.area).value(), cell);
-    result.built = scans::build_surface(result.placed, frame, options, progress);
+    return result;
+}
+
+RecordedSurface recorded_surface(Project& project, const model::Surface& surface, double cell, Progress& progress) {
+    const model::Record& record = project.record();
+    RecordedSurface result = surface_without_heights(record, surface);
+    const scans::GridFrame frame = frame_of_area(record, surface.area, cell);
+    result.grid = cached_surface(project, surface.id, frame, surface_key(record, surface.id, frame), progress);
     return result;
 }
 

@@ -15,10 +15,9 @@ namespace planum::app {
 /// A surface of the record with the heights that its scans give.
 struct RecordedSurface {
     std::string name;
-    std::vector<std::string> scans;         ///< that stand on the site grid
-    std::vector<std::string> raw;           ///< that do not yet
-    std::vector<scans::SurfaceScan> placed; ///< those of `scans`, with their points
-    scans::BuiltSurface built;
+    std::vector<std::string> scans; ///< that stand on the site grid
+    std::vector<std::string> raw;   ///< that do not yet
+    scans::SurfaceGrid grid;
 };
 
 /// The rectangle on which surfaces of an area are made: around all its outlines with half a metre to spare, else
@@ -31,8 +30,15 @@ struct RecordedSurface {
 /// The surface of that name, `DAY` or `AREA::NAME`. Throws NotFound, and Usage where several areas have one.
 [[nodiscard]] const model::Surface& known_surface(const model::Record& record, std::string_view name);
 
-/// Makes a surface of the record from all registered scans that belong to it, with cells of `cell` [m]. Throws Conflict
-/// when none of its scans stands on the site grid.
+/// The cells on which surfaces of an area are made, `cell` wide [m]. Throws Conflict when neither outlines nor set-ups
+/// say where the area is.
+[[nodiscard]] scans::GridFrame frame_of_area(const model::Record& record, model::AreaId area, double cell);
+
+/// The surface with its scans, without heights. Throws Conflict when none of its scans stands on the site grid.
+[[nodiscard]] RecordedSurface surface_without_heights(const model::Record& record, const model::Surface& surface);
+
+/// The heights of a surface from all registered scans that belong to it, from the cache where nothing changed. Throws
+/// Conflict when none of its scans stands on the site grid.
 [[nodiscard]] RecordedSurface recorded_surface(Project& project, const model::Surface& surface, double cell,
                                                Progress& progress);
 

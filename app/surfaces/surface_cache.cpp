@@ -5,13 +5,11 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include <fmt/format.h>
 
+#include "app/project/sealed_file.hpp"
 #include "app/scans/scan_stores.hpp"
-#include "core/base/error.hpp"
-#include "core/base/file.hpp"
 #include "core/base/sha256.hpp"
 
 namespace planum::app {
@@ -48,15 +46,15 @@ std::string to_bytes(const scans::SurfaceGrid& grid) {
     append(bytes, grid.state);
     append(bytes, grid.side_east);
     append(bytes, grid.side_north);
-    bytes += sha256(bytes);
     return bytes;
 }
 
-std::optional<scans::SurfaceGrid> from_bytes(std::string_view bytes, const scans::GridFrame& frame) {
-    constexpr std::size_t kHash = 64;
+std::optional<scans::SurfaceGrid> read_cached(const fs::path& file, const scans::GridFrame& frame) {
+    const std::optional<std::string> kept = read_sealed(file);
     const std::size_t n = frame.cells();
-    if (bytes.size() != kVersion.size() + n * kBytesOfCell + kHash) return std::nullopt;
-    if (sha256(bytes.substr(0, bytes.size() - kHash)) != bytes.substr(bytes.size() - kHash)) return std::nullopt;
+    if (!kept || kept->size() != kVersion.size() + n * kBytesOfCell || !kept->starts_with(kVersion))
+        return std::nullopt;
+    std::string_view bytes = *kept;
     bytes.remove_prefix(kVersion.size());
     scans::SurfaceGrid grid;
     grid.frame = frame;
@@ -71,36 +69,21 @@ std::optional<scans::SurfaceGrid> from_bytes(std::string_view bytes, const scans
     return grid;
 }
 
-std::optional<scans::SurfaceGrid> read_cached(const fs::path& file, const scans::GridFrame& frame) {
-    std::error_code error;
-    if (!fs::exists(file, error)) return std::nullopt;
-    try {
-        return from_bytes(read_file(file, std::uintmax_t{4} << 30U), frame);
-    } catch (const Error&) {
-        return std::nullopt; // only a cache: it is made again
-    }
-}
-
-void keep(const fs::path& file, const scans::SurfaceGrid& grid) {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    try {
-        write_file_atomically(file, to_bytes(grid));
-    } catch (const Error&) {
-        return; // read-only media or a full disk: next time it is made again
-    }
-}
-
-scans::SurfaceScan surface_scan(const PlacedScan& placed) {
-    scans::SurfaceScan scan;
-    scan.name = placed.scan.name;
-    scan.points = std::make_shared<scans::StorePoints>(placed.store, placed.site_from_scan);
-    scan.station = placed.site_from_scan.translation;
-    scan.covariance = placed.covariance;
-    return scan;
-}
-
 } // namespace
+
+std::vector<scans::SurfaceScan> surface_scans(Project& project, model::SurfaceId surface, Progress& progress) {
+    std::vector<scans::SurfaceScan> scans;
+    for (const PlacedScan& placed : placed_scans(
+             project, [&](const model::Scan& scan) { return scan.surface == surface; }, progress)) {
+        scans::SurfaceScan scan;
+        scan.name = placed.scan.name;
+        scan.points = std::make_shared<scans::StorePoints>(placed.store, placed.site_from_scan);
+        scan.station = placed.site_from_scan.translation;
+        scan.covariance = placed.covariance;
+        scans.push_back(std::move(scan));
+    }
+    return scans;
+}
 
 std::string surface_key(const model::Record& record, model::SurfaceId surface, const scans::GridFrame& frame) {
     std::string text;
@@ -121,15 +104,11 @@ scans::SurfaceGrid cached_surface(Project& project, model::SurfaceId surface, co
                                   const std::string& key, Progress& progress) {
     const fs::path file = scans_folder(project.path()) / "surfaces" / (key.substr(0, 32) + ".grid");
     if (auto cached = read_cached(file, frame)) return std::move(*cached);
-    std::vector<scans::SurfaceScan> scans;
-    for (const PlacedScan& placed : placed_scans(
-             project, [&](const model::Scan& scan) { return scan.surface == surface; }, progress)) {
-        scans.push_back(surface_scan(placed));
-    }
     scans::SurfaceOptions options;
     options.tolerance = project.record().settings.tolerance;
-    scans::SurfaceGrid grid = scans::build_surface(scans, frame, options, progress).grid;
-    keep(file, grid);
+    scans::SurfaceGrid grid =
+        scans::build_surface(surface_scans(project, surface, progress), frame, options, progress).grid;
+    write_sealed(file, to_bytes(grid));
     return grid;
 }
 

@@ -10,6 +10,10 @@
 
 namespace planum::app {
 
+/// The scans of a surface that stand on the site grid, with their points. Throws as placed_scans().
+[[nodiscard]] std::vector<scans::SurfaceScan> surface_scans(Project& project, model::SurfaceId surface,
+                                                            Progress& progress);
+
 /// Hash of all that the heights of a surface are made from: scans, poses, tolerance and cells. Empty: no scan of it
 /// stands on the site grid.
 [[nodiscard]] std::string surface_key(const model::Record& record, model::SurfaceId surface,

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/surfaces/recorded_surface.hpp"
+#include "app/surfaces/surface_cache.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "scans/surface/geotiff.hpp"
@@ -18,14 +19,14 @@ namespace planum::app {
 
 namespace {
 
-HeightsReport report_on(const RecordedSurface& surface) {
-    const scans::SurfaceGrid& grid = surface.built.grid;
+HeightsReport report_on(const RecordedSurface& surface, const scans::BuiltSurface& built) {
+    const scans::SurfaceGrid& grid = built.grid;
     const double cell_area = grid.frame.cell * grid.frame.cell;
     HeightsReport report;
     report.surface = surface.name;
     report.scans = surface.scans;
     report.raw = surface.raw;
-    report.points = surface.built.points;
+    report.points = built.points;
     for (std::size_t cell = 0; cell < grid.frame.cells(); ++cell) {
         if (grid.state[cell] == scans::CellState::Unseen) continue;
         if (grid.state[cell] == scans::CellState::Face) {
@@ -37,7 +38,7 @@ HeightsReport report_on(const RecordedSurface& surface) {
         report.highest = report.area > 0.0 ? std::max(report.highest, height) : height;
         report.area += cell_area;
     }
-    for (const scans::DisputedPatch& patch : surface.built.disputed)
+    for (const scans::DisputedPatch& patch : built.disputed)
         report.disputed.push_back({patch.x, patch.y, patch.area, patch.difference, patch.lower, patch.higher});
     return report;
 }
@@ -80,10 +81,16 @@ ChangeReport report_on(const scans::SurfaceDifference& difference) {
 HeightsReport write_heights(Project& project, std::string_view surface, double cell, const std::filesystem::path& file,
                             Progress& progress) {
     refuse_other_endings(file);
-    const RecordedSurface made = recorded_surface(project, known_surface(project.record(), surface), cell, progress);
-    const scans::SurfaceGrid& grid = made.built.grid;
-    write_raster(project, grid.frame, std::array{scans::RasterBand{"height", grid.height}}, file);
-    return report_on(made);
+    const model::Record& record = project.record();
+    const model::Surface& wanted = known_surface(record, surface);
+    const RecordedSurface named = surface_without_heights(record, wanted);
+    scans::SurfaceOptions options;
+    options.tolerance = record.settings.tolerance;
+    // Made afresh: the cache keeps neither where scans disagree nor how many points there are.
+    const scans::BuiltSurface built = scans::build_surface(surface_scans(project, wanted.id, progress),
+                                                           frame_of_area(record, wanted.area, cell), options, progress);
+    write_raster(project, built.grid.frame, std::array{scans::RasterBand{"height", built.grid.height}}, file);
+    return report_on(named, built);
 }
 
 ChangeReport write_change(Project& project, std::string_view before, std::string_view after, double cell,
@@ -99,7 +106,7 @@ ChangeReport write_change(Project& project, std::string_view before, std::string
     const RecordedSurface first = recorded_surface(project, a, cell, progress);
     const RecordedSurface second = recorded_surface(project, b, cell, progress);
     const scans::SurfaceDifference difference =
-        scans::surface_difference(first.built.grid, second.built.grid, project.record().settings.tolerance);
+        scans::surface_difference(first.grid, second.grid, project.record().settings.tolerance);
     write_raster(project, difference.frame,
                  std::array{scans::RasterBand{"change", difference.change},
                             scans::RasterBand{"detectable", difference.detectable}},
