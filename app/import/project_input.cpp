@@ -10,18 +10,20 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/sqlite/database.hpp"
 #include "strat/exchange/writer.hpp"
 
 namespace planum::app {
 
 namespace {
 
-std::optional<model::Record> record_of(const strat::InputFile& input, const store::Environment& environment) {
+// Whatever else is wrong with it.
+bool is_project(const strat::InputFile& input) {
+    if (!input.is_database) return false;
     try {
-        return store::ProjectFile::open(input.path, store::OpenMode::ReadOnly, environment).load();
-    } catch (const Error& e) {
-        if (e.code() == ErrorCode::BadInput) return std::nullopt; // another database: its reader will say
-        throw;
+        return sqlite::Database::open_foreign(input.path).has_table("planum_meta");
+    } catch (const Error&) {
+        return input.path.extension() == ".gpkg"; // opening says what is wrong with it
     }
 }
 
@@ -41,14 +43,13 @@ std::vector<std::string> left_behind(const model::Record& record) {
 } // namespace
 
 std::vector<strat::ReadNote> read_as_project(strat::InputFile& input, const store::Environment& environment) {
-    if (!input.is_database) return {};
-    const std::optional<model::Record> record = record_of(input, environment);
-    if (!record) return {};
-    strat::Written written = strat::writer_for("json").write(*record, {});
+    if (!is_project(input)) return {};
+    const model::Record record = store::ProjectFile::open(input.path, store::OpenMode::ReadOnly, environment).load();
+    strat::Written written = strat::writer_for("json").write(record, {});
     input.bytes = std::move(written.files.front().bytes);
     input.is_database = false;
     std::vector<strat::ReadNote> notes;
-    if (const auto kinds = left_behind(*record); !kinds.empty()) {
+    if (const auto kinds = left_behind(record); !kinds.empty()) {
         notes.push_back(
             {input.name,
              0,
