@@ -40,6 +40,10 @@ void print_text(const Context& context, const app::FindAssignment& assignment, b
                                     proposal.reason);
     }
     for (const auto& problem : assignment.problems) context.say("without its points: " + problem.what);
+    if (assignment.proposals.empty()) {
+        *context.out << "no find is without unit\n";
+        return;
+    }
     *context.out << fmt::format("{} of {} finds without unit {}\n", with_unit, assignment.proposals.size(),
                                 applied ? "got one" : "would get one; --apply writes it");
 }

@@ -77,9 +77,10 @@ void run_plan(const Context& context, const Options& options) {
                               {"units", made.units},
                               {"notes", made.notes}});
     }
-    *context.out << fmt::format("{}: {:.1f} x {:.1f} m at 1:{:g}, {} units\n", options.file,
+    *context.out << fmt::format("{}: {:.1f} x {:.1f} m at 1:{:g}, {} {}\n", options.file,
                                 extent.high[0] - extent.low[0], extent.high[1] - extent.low[1],
-                                parse_scale(options.scale), made.units.size());
+                                parse_scale(options.scale), made.units.size(),
+                                made.units.size() == 1 ? "unit" : "units");
     for (const std::string& note : made.notes) context.say(note);
 }
 

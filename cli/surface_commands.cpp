@@ -78,16 +78,19 @@ ordered_json to_json(const app::HeightsReport& made) {
 void print_units(const Context& context, const std::vector<app::EarthOfUnit>& units) {
     for (const app::EarthOfUnit& one : units) {
         const std::string name = one.unit.empty() ? "outside all outlines" : one.unit;
-        *context.out << fmt::format("  {:<20} {:9.3f} m3  within {:.3f} m3\n", name, one.earth.net, one.earth.bound);
+        *context.out << fmt::format("  {:<20} {:9.3f} m³  within {:.3f} m³\n", name, one.earth.net, one.earth.bound);
     }
 }
 
 void print_step(const Context& context, const app::EarthStep& step) {
-    *context.out << fmt::format("{} to {}: {:.3f} m3 dug, within {:.3f} m3 (95 %), on {:.2f} m2\n", step.before,
+    *context.out << fmt::format("{} to {}: {:.3f} m³ dug, within {:.3f} m³ (95 %), on {:.2f} m²", step.before,
                                 step.after, step.total.net, step.total.bound, step.total.area);
+    if (step.filled > 0.005)
+        *context.out << fmt::format(", {:.2f} m² of them without ground that was seen", step.filled);
+    *context.out << '\n';
     print_units(context, step.units);
     if (step.unseen > 0.005) {
-        context.say(fmt::format("{} to {}: {:.2f} m2 were not counted: no ground was seen near them", step.before,
+        context.say(fmt::format("{} to {}: {:.2f} m² were not counted: no ground was seen near them", step.before,
                                 step.after, step.unseen));
     }
 }
@@ -99,14 +102,14 @@ void run_heights(const Context& context, const Arguments& arguments) {
     if (context.json) return context.print(to_json(made));
     if (made.area > 0.0) {
         *context.out << fmt::format(
-            "{}: {:.2f} m2 of ground between {:.3f} and {:.3f} m, {:.2f} m2 of sides, from {}\n", made.surface,
+            "{}: {:.2f} m² of ground between {:.3f} and {:.3f} m, {:.2f} m² of sides, from {}\n", made.surface,
             made.area, made.lowest, made.highest, made.face_area, text::join(made.scans, ", "));
     } else {
         *context.out << fmt::format("{}: its scans show no ground here\n", made.surface);
     }
     for (const app::DisputeReport& patch : made.disputed) {
         *context.out << fmt::format(
-            "at {:.2f} {:.2f}: {} lies {:.0f} mm above {} over {:.2f} m2; the ground changed between the two scans, or "
+            "at {:.2f} {:.2f}: {} lies {:.0f} mm above {} over {:.2f} m²; the ground changed between the two scans, or "
             "one is placed badly\n",
             patch.x, patch.y, patch.higher, 1000.0 * patch.difference, patch.lower, patch.area);
     }
@@ -129,7 +132,7 @@ void run_change(const Context& context, const Arguments& arguments) {
         return context.print(json);
     }
     *context.out << fmt::format(
-        "{} to {}: {:.2f} m2 compared, {:.2f} m2 lower and {:.2f} m2 higher by more than can be told from none "
+        "{} to {}: {:.2f} m² compared, {:.2f} m² lower and {:.2f} m² higher by more than can be told from none "
         "({:.0f} mm on half of it)\n",
         change.before, change.after, change.compared_area, change.lowered_area, change.raised_area,
         1000.0 * change.detectable);
@@ -149,7 +152,7 @@ void run_volumes(const Context& context, const Arguments& arguments) {
     }
     for (const app::EarthStep& step : earth.steps) print_step(context, step);
     if (earth.steps.size() > 1) {
-        *context.out << fmt::format("in total {:.3f} m3 dug, within {:.3f} m3 (95 %)\n", earth.total.net,
+        *context.out << fmt::format("in total {:.3f} m³ dug, within {:.3f} m³ (95 %)\n", earth.total.net,
                                     earth.total.bound);
         print_units(context, earth.units);
     }
