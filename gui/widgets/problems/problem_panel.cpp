@@ -14,6 +14,7 @@
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/signs.hpp"
+#include "gui/widgets/text_label.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/two_line_delegate.hpp"
 
@@ -40,14 +41,6 @@ class ProblemDelegate : public TwoLineDelegate {
         return index.data(ProblemListModel::MessageRole).toString();
     }
 };
-
-QLabel* label(const QString& text, const char* role = "") {
-    auto* made = new QLabel(text);
-    made->setProperty("role", role);
-    made->setWordWrap(true);
-    made->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return made;
-}
 
 } // namespace
 
@@ -118,13 +111,13 @@ void ProblemPanel::show_summary() {
 }
 
 void ProblemPanel::add_suspect(QVBoxLayout* column, std::size_t at, const SuspectLine& suspect) {
-    auto* sentence =
-        label(suspect.percent > 0 ? tr("%1   (%2 %)").arg(suspect.sentence).arg(suspect.percent) : suspect.sentence);
+    auto* sentence = text_label(suspect.percent > 0 ? tr("%1   (%2 %)").arg(suspect.sentence).arg(suspect.percent)
+                                                    : suspect.sentence);
     QFont bold = sentence->font();
     bold.setWeight(QFont::DemiBold);
     sentence->setFont(bold);
     column->addWidget(sentence);
-    for (const QString& why : suspect.reasons) column->addWidget(label(QStringLiteral("– ") + why, "faint"));
+    for (const QString& why : suspect.reasons) column->addWidget(text_label(QStringLiteral("– ") + why, "faint"));
     auto* buttons = new FlowLayout(6);
     const bool writable = models_.workspace.read_only_because().isEmpty();
     for (const ProblemAction action : suspect.actions) {
@@ -148,33 +141,33 @@ void ProblemPanel::show_detail() {
     column->setSpacing(6);
     if (detail.id.isEmpty()) {
         column->addWidget(
-            label(tr("Choose a problem: its proof shows in the matrix and in every other view."), "faint"));
+            text_label(tr("Choose a problem: its proof shows in the matrix and in every other view."), "faint"));
         const QStringList later = models_.problems.changes_since_sign_off();
-        if (!later.isEmpty()) column->addWidget(label(tr("Changed after the day was signed off"), "heading"));
-        for (const QString& line : later) column->addWidget(label(line, "faint"));
-        for (const QString& line : models_.problems.coverage()) column->addWidget(label(line, "faint"));
+        if (!later.isEmpty()) column->addWidget(text_label(tr("Changed after the day was signed off"), "heading"));
+        for (const QString& line : later) column->addWidget(text_label(line, "faint"));
+        for (const QString& line : models_.problems.coverage()) column->addWidget(text_label(line, "faint"));
         column->addStretch(1);
         scroll_->setWidget(page);
         return;
     }
     auto* head = new QHBoxLayout;
-    head->addWidget(label(detail.title, "title"), 1);
+    head->addWidget(text_label(detail.title, "title"), 1);
     auto* known = new QPushButton(tr("Known because …"));
     known->setObjectName(QStringLiteral("acceptProblem"));
     known->setEnabled(models_.workspace.read_only_because().isEmpty());
     connect(known, &QPushButton::clicked, this, &ProblemPanel::accept);
     head->addWidget(known, 0, Qt::AlignTop);
     column->addLayout(head);
-    column->addWidget(label(detail.message));
-    if (!detail.suspects.empty()) column->addWidget(label(tr("What to doubt"), "heading"));
+    column->addWidget(text_label(detail.message));
+    if (!detail.suspects.empty()) column->addWidget(text_label(tr("What to doubt"), "heading"));
     for (std::size_t i = 0; i < detail.suspects.size(); ++i) add_suspect(column, i, detail.suspects[i]);
     if (!detail.proof.isEmpty()) {
-        column->addWidget(label(tr("Rests on"), "heading"));
-        column->addWidget(label(detail.proof.join(QStringLiteral(",  ")), "faint"));
+        column->addWidget(text_label(tr("Rests on"), "heading"));
+        column->addWidget(text_label(detail.proof.join(QStringLiteral(",  ")), "faint"));
     }
     if (!detail.evidence.isEmpty()) {
-        column->addWidget(label(tr("Numbers"), "heading"));
-        column->addWidget(label(detail.evidence.join(QStringLiteral("    ")), "faint"));
+        column->addWidget(text_label(tr("Numbers"), "heading"));
+        column->addWidget(text_label(detail.evidence.join(QStringLiteral("    ")), "faint"));
     }
     column->addStretch(1);
     scroll_->setWidget(page);

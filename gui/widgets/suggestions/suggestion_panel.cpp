@@ -15,6 +15,7 @@
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/flow_layout.hpp"
+#include "gui/widgets/text_label.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/two_line_delegate.hpp"
 
@@ -56,14 +57,6 @@ class SuggestionDelegate : public TwoLineDelegate {
         return index.data(SuggestionListModel::ReasonRole).toString();
     }
 };
-
-QLabel* label(const QString& text, const char* role = "") {
-    auto* made = new QLabel(text);
-    made->setProperty("role", role);
-    made->setWordWrap(true);
-    made->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return made;
-}
 
 } // namespace
 
@@ -154,15 +147,16 @@ void SuggestionPanel::show_detail() {
     column->setSpacing(6);
     const model::Suggestion* s = suggestions_.suggestion();
     if (s == nullptr) {
-        column->addWidget(label(tr("Choose a suggestion: its units show in every view."), "faint"));
-        if (!suggestions_.unused().isEmpty()) column->addWidget(label(tr("Said nothing, or less than all"), "heading"));
-        for (const QString& line : suggestions_.unused()) column->addWidget(label(line, "faint"));
+        column->addWidget(text_label(tr("Choose a suggestion: its units show in every view."), "faint"));
+        if (!suggestions_.unused().isEmpty())
+            column->addWidget(text_label(tr("Said nothing, or less than all"), "heading"));
+        for (const QString& line : suggestions_.unused()) column->addWidget(text_label(line, "faint"));
     } else {
-        column->addWidget(label(suggestions_.title(), "title"));
-        column->addWidget(label(qt(s->reason)));
-        column->addWidget(label(suggestions_.numbers().join(QStringLiteral("    ")), "faint"));
+        column->addWidget(text_label(suggestions_.title(), "title"));
+        column->addWidget(text_label(qt(s->reason)));
+        column->addWidget(text_label(suggestions_.numbers().join(QStringLiteral("    ")), "faint"));
         if (s->state != model::SuggestionState::Open)
-            column->addWidget(label(suggestion_state_word(s->state), "heading"));
+            column->addWidget(text_label(suggestion_state_word(s->state), "heading"));
         column->addWidget(make_answers());
     }
     column->addStretch(1);
