@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "core/base/text.hpp"
+#include "strat/layout/box_label.hpp"
 #include "strat/layout/drawing_style.hpp"
 #include "strat/layout/graph_selection.hpp"
 #include "strat/matrix/condensation.hpp"
@@ -20,76 +21,6 @@ namespace {
 
 using model::UnitIndex;
 using model::UnitKind;
-
-BoxShape shape_of(const model::StratigraphicUnit& unit) {
-    switch (unit.kind) {
-    case UnitKind::Unknown: return BoxShape::Unknown;
-    case UnitKind::Deposit: return BoxShape::Deposit;
-    case UnitKind::Cut: return BoxShape::Cut;
-    case UnitKind::Feature: return BoxShape::Feature;
-    case UnitKind::Structure: return BoxShape::Structure;
-    case UnitKind::Interface: return BoxShape::Interface;
-    case UnitKind::Skeleton: return BoxShape::Skeleton;
-    case UnitKind::Natural: return BoxShape::Natural;
-    case UnitKind::Void: return BoxShape::Void;
-    }
-    return BoxShape::Unknown;
-}
-
-bool names_topsoil(const model::StratigraphicUnit& unit) {
-    constexpr std::array<std::string_view, 8> kWords = {"topsoil",    "turf",      "oberboden",      "mutterboden",
-                                                        "ackerkrume", "humus sup", "terre végétale", "plough soil"};
-    const std::string title = text::fold_case(unit.title);
-    return std::any_of(kWords.begin(), kWords.end(),
-                       [&](std::string_view word) { return title.find(word) != std::string::npos; });
-}
-
-// At most three lines; what does not fit ends in an ellipsis.
-std::vector<std::string> broken_title(const std::string& title, const TextMeasure& measure) {
-    constexpr std::size_t kMaxLines = 3;
-    std::vector<std::string> lines;
-    std::string line;
-    for (const std::string_view word : text::split(title, ' ')) {
-        if (word.empty()) continue;
-        const std::string longer = line.empty() ? std::string(word) : line + " " + std::string(word);
-        if (line.empty() || measure.width(longer, style::kTextSize, FontWeight::Regular) <= style::kBoxMaxLabel) {
-            line = longer;
-            continue;
-        }
-        lines.push_back(std::move(line));
-        line = word;
-        if (lines.size() == kMaxLines) {
-            lines.back() += " …";
-            return lines;
-        }
-    }
-    if (!line.empty()) lines.push_back(std::move(line));
-    return lines;
-}
-
-// `12 = 15 = 20`, broken where a line grows too wide.
-std::vector<std::string> joined_names(const std::vector<std::string>& names, const TextMeasure& measure) {
-    std::vector<std::string> lines = {names.front()};
-    for (std::size_t i = 1; i < names.size(); ++i) {
-        const std::string longer = lines.back() + " = " + names[i];
-        if (measure.width(longer, style::kTextSize, FontWeight::Regular) <= style::kBoxMaxLabel) {
-            lines.back() = longer;
-        } else {
-            lines.push_back("= " + names[i]);
-        }
-    }
-    return lines;
-}
-
-void size_box(DrawnBox& box, const TextMeasure& measure) {
-    double widest = 0.0;
-    for (const std::string& line : box.lines) {
-        box.line_widths.push_back(measure.width(line, box.text_size, FontWeight::Regular));
-        widest = std::max(widest, box.line_widths.back());
-    }
-    box.rect.width = std::max(style::kBoxMinWidth, widest + 2.0 * style::kBoxPadding);
-    box.rect.height = style::kBoxHeight + style::kLineHeight * static_cast<double>(box.lines.size() - 1);
-}
 
 class GraphMaker {
   public:
@@ -444,20 +375,6 @@ class GraphMaker {
 };
 
 } // namespace
-
-std::string xml_id(std::string_view prefix, std::string_view name) {
-    std::string id(prefix);
-    for (const char c : name) {
-        const bool plain =
-            (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '.';
-        if (plain) {
-            id += c;
-        } else {
-            id += fmt::format("_x{:02x}", static_cast<unsigned char>(c));
-        }
-    }
-    return id;
-}
 
 DrawnGraph make_drawn_graph(const LayoutRequest& request) { return GraphMaker(request).make(); }
 

@@ -56,8 +56,4 @@ struct DrawnGraph {
 /// The drawing with all boxes and lines of the graph, in its order, still at (0, 0) and without points.
 [[nodiscard]] MatrixDrawing drawing_without_places(const DrawnGraph& graph);
 
-/// A name as part of an XML id: letters, digits, '-' and '.' stay, all else becomes `_xHH`, so that
-/// different names stay different.
-[[nodiscard]] std::string xml_id(std::string_view prefix, std::string_view name);
-
 } // namespace planum::strat

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "strat/layout/box_label.hpp"
 #include "strat/layout/svg_writer.hpp"
 
 #include <fstream>

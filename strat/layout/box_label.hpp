@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/unit.hpp"
+#include "strat/layout/drawing.hpp"
+#include "strat/layout/text_measure.hpp"
+
+namespace planum::strat {
+
+[[nodiscard]] BoxShape shape_of(const model::StratigraphicUnit& unit);
+
+/// Whether the title says so, in the words of our four languages: such units lie on top.
+[[nodiscard]] bool names_topsoil(const model::StratigraphicUnit& unit);
+
+/// At most three lines; what does not fit ends in an ellipsis.
+[[nodiscard]] std::vector<std::string> broken_title(const std::string& title, const TextMeasure& measure);
+
+/// `12 = 15 = 20`, broken where a line grows too wide. `names` has one at least.
+[[nodiscard]] std::vector<std::string> joined_names(const std::vector<std::string>& names, const TextMeasure& measure);
+
+/// Sets the widths of the lines and the size of the box around them.
+void size_box(DrawnBox& box, const TextMeasure& measure);
+
+/// A name as part of an XML id: letters, digits, '-' and '.' stay, all else becomes `_xHH`, so that
+/// different names stay different.
+[[nodiscard]] std::string xml_id(std::string_view prefix, std::string_view name);
+
+} // namespace planum::strat
