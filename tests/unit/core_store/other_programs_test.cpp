@@ -76,14 +76,17 @@ TEST_CASE("Through GDAL rows are added, changed and marked, and the rules hold")
     CHECK(said("read: 29 layers, some features, 0 warnings"));
     CHECK(said("open for changing: 0 warnings"));
     CHECK(said("read again: 29 layers, some features, 0 warnings"));
-    for (const char* done :
-         {"insert unit: done", "insert unit without kind: done", "insert region: done", "insert level: done",
-          "change: done", "delete: done", "delete referred to: done", "index: done"}) {
+    for (const char* done : {"insert unit: done", "insert unit without kind: done", "insert region: done",
+                             "insert level: done", "change: done", "day: done", "contemporary: done",
+                             "delete contemporary: done", "delete: done", "delete referred to: done", "index: done"}) {
         CHECK(said(done));
     }
     for (const char* refused :
          {"bad kind: refused", "bad key: refused", "bad height: refused", "bad uuid: refused", "used number: refused",
-          "bad key in a change: refused", "changed uuid: refused", "delete project: refused", "delete log: refused"}) {
+          "bad key in a change: refused", "changed uuid: refused", "delete project: refused", "delete log: refused",
+          "empty number: refused", "emptied number: refused", "bad day: refused", "bad day in a change: refused",
+          "line for a level: refused", "empty level: refused", "flat level: refused", "cuts twice: refused",
+          "contemporary the other way round: refused", "delete change: refused"}) {
         CHECK(said(refused));
     }
 
@@ -100,10 +103,11 @@ TEST_CASE("Through GDAL rows are added, changed and marked, and the rules hold")
     CHECK(record.regions.size() == 3);
     CHECK(project.verify(Progress::none()).empty());
     const std::vector<LogEntry> log = project.log(ditch->id.value, 10);
-    REQUIRE(log.size() == 2);
-    CHECK(log[0].field == "title");
-    CHECK(log[1].action == "insert");
-    CHECK(log[1].author == "outside Planum");
+    REQUIRE(log.size() == 3);
+    CHECK(log[0].field == "excavated_on");
+    CHECK(log[1].field == "title");
+    CHECK(log[2].action == "insert");
+    CHECK(log[2].author == "outside Planum");
     const sqlite::Database database = sqlite::Database::open(file, sqlite::Access::ReadOnly);
     CHECK(database.integer("SELECT count(*) FROM unit WHERE deleted_at IS NOT NULL") == 2);
     CHECK(database.integer("SELECT count(*) FROM relation WHERE deleted_at IS NOT NULL") > 0);
