@@ -161,7 +161,8 @@ void PtxReader::sample(PtxCloud& part, CloudHeader& header) const {
 
 [[noreturn]] void bad_point(const LineReader& lines, int got, int wanted) {
     if (got < 0) lines.fail(fmt::format("field {} is no number", -got));
-    lines.fail(fmt::format("{} numbers instead of {}", got > wanted ? "more" : "fewer", wanted));
+    if (got > wanted) lines.fail(fmt::format("more numbers than the {} of the cloud's first point", wanted));
+    lines.fail(fmt::format("{} numbers expected as in the cloud's first point, this line has {}", wanted, got));
 }
 
 ReadSummary PtxReader::read_cloud(std::size_t cloud, const PointSink& sink, const ReadOptions& options,

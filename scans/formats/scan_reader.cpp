@@ -56,14 +56,29 @@ ReadSummary ScanReader::read(std::size_t cloud, const PointSink& sink, const Rea
     if (cloud >= clouds_.size()) {
         throw Error(ErrorCode::Usage, fmt::format("no cloud #{}: the file has {}", cloud + 1, clouds_.size()));
     }
-    return read_cloud(cloud, sink, options, progress);
+    try {
+        return read_cloud(cloud, sink, options, progress);
+    } catch (Error& e) {
+        add_file(e);
+        throw;
+    }
+}
+
+// What the sink throws is about another file, and never BadInput.
+void ScanReader::add_file(Error& error) const {
+    if (error.code() == ErrorCode::BadInput && !file_.empty()) error.add_context(file_);
 }
 
 std::string ScanReader::read_image(std::size_t image) const {
     if (image >= info_.images.size()) {
         throw Error(ErrorCode::Usage, fmt::format("no image #{}: the file has {}", image + 1, info_.images.size()));
     }
-    return read_image_bytes(image);
+    try {
+        return read_image_bytes(image);
+    } catch (Error& e) {
+        add_file(e);
+        throw;
+    }
 }
 
 std::string ScanReader::read_image_bytes(std::size_t /*image*/) const {
@@ -118,7 +133,9 @@ std::unique_ptr<ScanReader> open_scan(const std::filesystem::path& file, const O
         }
         const std::optional<std::string> companion =
             *format == ScanFormat::ThreeDtk ? read_pose_beside(file) : std::nullopt;
-        return open_scan_as(std::move(source), *format, options, progress, companion);
+        auto reader = open_scan_as(std::move(source), *format, options, progress, companion);
+        reader->name_in_errors(file);
+        return reader;
     } catch (Error& e) {
         e.add_context(file.string());
         throw;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/error.hpp"
 #include "core/base/progress.hpp"
 #include "scans/formats/byte_source.hpp"
 #include "scans/formats/cloud_header.hpp"
@@ -36,7 +37,8 @@ struct OpenOptions {
 /// Memory is bounded by the block size whatever the file's size (PCD binary_compressed excepted,
 /// which is one compressed piece by its nature).
 ///
-/// Every failure to make sense of the bytes is Error{BadInput} that names the page, record or line.
+/// Every failure to make sense of the bytes is Error{BadInput} that names the page, record or line, and the file
+/// where it was opened by its path.
 class ScanReader {
   public:
     ScanReader() = default;
@@ -55,6 +57,9 @@ class ScanReader {
     /// The bytes of an embedded JPEG or PNG file. Throws Usage when there is no such image.
     [[nodiscard]] std::string read_image(std::size_t image) const;
 
+    /// Failures to make sense of the bytes name this file from now on.
+    void name_in_errors(const std::filesystem::path& file) { file_ = file.string(); }
+
   protected:
     virtual ReadSummary read_cloud(std::size_t cloud, const PointSink& sink, const ReadOptions& options,
                                    Progress& progress) = 0;
@@ -62,6 +67,11 @@ class ScanReader {
 
     ScanFileInfo info_;
     std::vector<CloudHeader> clouds_;
+
+  private:
+    void add_file(Error& error) const;
+
+    std::string file_; ///< empty: bytes of no file
 };
 
 /// Opens a file by its content where the format has a mark, else by its ending. Throws BadInput with

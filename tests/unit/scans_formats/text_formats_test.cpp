@@ -241,6 +241,33 @@ TEST_CASE("A file is known by its content before its ending, and a stranger is t
     CHECK_THROWS_WITH(open_file(folder.path()), Catch::Contains("not an ordinary file"));
 }
 
+TEST_CASE("What is wrong with a point names the file, once, as what is wrong with the header does") {
+    const TemporaryFolder folder;
+    const std::string cut_short = sample_pcd_compressed().substr(0, sample_pcd_compressed().size() - 3);
+    const std::vector<std::pair<const char*, std::string>> damaged = {
+        {"points.ptx", ptx_header(1, 2) + "1 2 3 0.5\n4 5 6\n"},
+        {"points.pts", "2\n1 2 3\n4 x 6\n"},
+        {"points.xyz", "1 2 3\n4 5 6\n7 8\n"},
+        {"points.3d", "100 200 300\n-50 0\n"},
+        {"points.pcd", cut_short},
+    };
+    for (const auto& [name, bytes] : damaged) {
+        INFO(name);
+        const auto file = folder.write(name, bytes);
+        std::string said;
+        try {
+            const auto reader = open_file(file);
+            read_whole(*reader);
+        } catch (const Error& e) {
+            CHECK(e.code() == ErrorCode::BadInput);
+            said = e.what();
+        }
+        INFO(said);
+        CHECK(said.rfind(file.string() + ": ", 0) == 0);
+        CHECK(said.find(name) == said.rfind(name));
+    }
+}
+
 TEST_CASE("Reading stops when the user says so") {
     std::stop_source stop;
     stop.request_stop();
