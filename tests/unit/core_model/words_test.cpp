@@ -41,6 +41,15 @@ TEST_CASE("Every word reads back as the value it was written for") {
     }
 }
 
+TEST_CASE("What Planum says of a relation, from either side, it understands when a list says it") {
+    for (int i = 0; i <= static_cast<int>(RelationKind::Contemporary); ++i) {
+        const auto kind = static_cast<RelationKind>(i);
+        INFO(phrase(kind) << ", " << inverse_phrase(kind));
+        CHECK(relation_from_any_word(phrase(kind)) == DirectedKind{kind, false});
+        CHECK(relation_from_any_word(inverse_phrase(kind)) == DirectedKind{kind, !is_symmetric(kind)});
+    }
+}
+
 TEST_CASE("A number used in two areas is named with its area, any other without") {
     Record record;
     record.areas = {{AreaId{{0, 1}}, "A", "", DigMethod::Stratigraphic, "", ""},
