@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/context.hpp"
 
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -8,10 +9,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/checks/contradiction_sheet.hpp"
 #include "app/checks/daily_check.hpp"
 #include "app/checks/today.hpp"
 #include "cli/diagnostics_text.hpp"
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
 #include "core/base/text.hpp"
+#include "paint/sheet_group_painter.hpp"
 
 namespace planum::cli {
 
@@ -26,6 +31,9 @@ struct Options {
     std::string because;
     std::size_t most = 15;
     bool sign_off = false;
+    std::string show;
+    std::string file;
+    double dpi = 200.0;
 };
 
 ordered_json to_json(const app::DailyCheck& check, const model::RecordIndex& index) {
@@ -88,14 +96,50 @@ void print_problems(const Context& context, const app::DailyCheck& check, const 
 
 void print_coverage(const Context& context, const model::Coverage& coverage) {
     *context.out << fmt::format(
-        "of {} relations that state an order: {} confirmed by levels or surfaces, {} contradicted\n", coverage.relations,
-        coverage.confirmed, coverage.contradicted);
+        "of {} relations that state an order: {} confirmed by levels or surfaces, {} contradicted\n",
+        coverage.relations, coverage.confirmed, coverage.contradicted);
     for (const auto& [reason, count] : coverage.untestable) {
         *context.out << fmt::format("  {} could not be judged: {}\n", count, reason);
     }
 }
 
+void write_group(const Context& context, const geometry::SheetGroup& group, const Options& options) {
+    const std::filesystem::path file(options.file);
+    const std::string ending = text::fold_case(file.extension().string());
+    if (ending == ".png") {
+        write_file_atomically(file, paint::render_sheet_group_png(group, options.dpi));
+    } else {
+        write_file_atomically(file, paint::render_sheet_group_pdf(group, *context.progress));
+    }
+}
+
+void run_show(const Context& context, const Options& options) {
+    const std::string ending = text::fold_case(std::filesystem::path(options.file).extension().string());
+    if (options.file.empty()) throw Error(ErrorCode::Usage, "a problem is shown in a file: -o F.png or F.pdf");
+    if (ending != ".png" && ending != ".pdf")
+        throw Error(ErrorCode::Usage, fmt::format("{}: problems are shown as .png or .pdf", options.file));
+    app::Project project = context.open(OpenMode::ReadOnly);
+    const app::ContradictionSheet made =
+        app::contradiction_sheet(project, options.show, options.interpretation, *context.progress);
+    write_group(context, made.group, options);
+    if (context.json) {
+        return context.print({{"file", options.file},
+                              {"id", options.show},
+                              {"upper", made.upper},
+                              {"lower", made.lower},
+                              {"surfaces", {made.before, made.after}},
+                              {"area_m2", made.area},
+                              {"x", made.x},
+                              {"y", made.y},
+                              {"z_upper", made.z_upper},
+                              {"z_lower", made.z_lower}});
+    }
+    *context.out << fmt::format("{}: {} above {}, at most {:.2f} m, at {:.2f} {:.2f}\n", options.file, made.upper,
+                                made.lower, made.z_upper - made.z_lower, made.x, made.y);
+}
+
 void run_check(Context& context, const Options& options) {
+    if (!options.show.empty()) return run_show(context, options);
     if (!options.accept.empty() || options.sign_off) {
         app::Project project = context.open(OpenMode::ReadWrite);
         if (!options.accept.empty()) app::accept_problem(project, options.accept, options.because, *context.progress);
@@ -151,6 +195,11 @@ void add_check_commands(CLI::App& root, Context& context) {
     check->add_option("--because", options->because, "the reason")->needs(accept);
     check->add_flag("--sign-off", options->sign_off, "sign the day off: what stands now is not new tomorrow");
     check->add_option("--most", options->most, "at most so many problems of one kind")->capture_default_str();
+    CLI::Option* show =
+        check->add_option("--show", options->show, "draw the height contradiction with this id: both faces, a section");
+    check->add_option("-o,--output", options->file, "F.png or F.pdf")->needs(show);
+    check->add_option("--dpi", options->dpi, "of a PNG")->check(CLI::Range(20.0, 1200.0))->capture_default_str();
+    show->excludes(accept);
     check->callback([&context, options] { run_check(context, *options); });
 
     add_command(root, context, "today", "open units, what may be dug next, sheets that lack something")

@@ -23,6 +23,7 @@ struct MapPage {
     double height = 0.0;
     QRectF frame; ///< the map itself
     double points_per_metre = 0.0;
+    double title_size = 14.0;
     double foot = 0.0; ///< upper edge of scale bar and north arrow
     std::vector<PlacedKey> keys;
 

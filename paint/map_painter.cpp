@@ -267,7 +267,7 @@ class MapPainter {
 
     void paint_words() {
         const double left = kMapMargin + 14.0;
-        words(sheet_.title, {left, kMapMargin + 12.0}, 14.0, TextAnchor::Start, FontWeight::Bold);
+        words(sheet_.title, {left, kMapMargin + 12.0}, page_.title_size, TextAnchor::Start, FontWeight::Bold);
         words(sheet_.subtitle, {left, kMapMargin + 26.0}, 8.5, TextAnchor::Start, FontWeight::Regular, kFaintInk);
         words(sheet_.site, {page_.width - kMapMargin - 14.0, kMapMargin + 12.0}, 8.5, TextAnchor::End,
               FontWeight::Regular, kFaintInk);

@@ -78,6 +78,7 @@ class AreaWork {
             make_keys();
             if (cell == kCells.back() || usual_density() >= kDense) break;
         }
+        evidence_.frame = frame_;
         for (std::size_t i = 0; i < surfaces_.size(); ++i) {
             if (keys_[i].heights.empty() && !regions_[surfaces_[i]->id].empty())
                 evidence_.unseen.push_back({surfaces_[i]->id, "none of its scans stands on the site grid"});

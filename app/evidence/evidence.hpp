@@ -25,6 +25,7 @@ struct AreaEvidence {
     model::AreaId area;
     std::vector<model::SurfaceId> surfaces; ///< in the order of time
     std::vector<scans::KnownUnit> units;    ///< in the order of the record
+    scans::GridFrame frame;                 ///< the cells that were compared
     scans::AreaHistory history;
     std::vector<scans::Conclusion> conclusions;
     std::vector<UnseenSurface> unseen; ///< outlined, but of no use

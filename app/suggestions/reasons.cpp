@@ -15,15 +15,6 @@ namespace {
 
 using scans::Ground;
 
-// `2025-06-03` as 3 June 2025.
-std::string day_text(const std::string& day) {
-    constexpr std::array kMonths = {"January", "February", "March",     "April",   "May",      "June",
-                                    "July",    "August",   "September", "October", "November", "December"};
-    if (!is_day(day)) return day;
-    const auto month = static_cast<std::size_t>((day[5] - '0') * 10 + day[6] - '0');
-    return fmt::format("{} {} {}", (day[8] - '0') * 10 + day[9] - '0', kMonths.at(month - 1), day.substr(0, 4));
-}
-
 std::string area_text(double area) {
     return area >= 0.95 ? fmt::format("{:.1f} m²", area) : fmt::format("{:.2f} m²", area);
 }
@@ -33,10 +24,18 @@ std::string thickness_text(double thickness) { return fmt::format("{:.0f} cm", s
 std::string surface_day(const model::Record& record, model::SurfaceId id) {
     const auto surface = std::find_if(record.surfaces.begin(), record.surfaces.end(),
                                       [&](const model::Surface& s) { return s.id == id; });
-    return surface == record.surfaces.end() ? std::string{} : day_text(last_day_of(*surface));
+    return surface == record.surfaces.end() ? std::string{} : day_words(last_day_of(*surface));
 }
 
 } // namespace
+
+std::string day_words(const std::string& day) {
+    constexpr std::array kMonths = {"January", "February", "March",     "April",   "May",      "June",
+                                    "July",    "August",   "September", "October", "November", "December"};
+    if (!is_day(day)) return day;
+    const auto month = static_cast<std::size_t>((day[5] - '0') * 10 + day[6] - '0');
+    return fmt::format("{} {} {}", (day[8] - '0') * 10 + day[9] - '0', kMonths.at(month - 1), day.substr(0, 4));
+}
 
 std::string reason_of(const model::Record& record, const model::RecordIndex& index, const AreaEvidence& area,
                       const scans::Conclusion& c) {

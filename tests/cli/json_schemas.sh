@@ -45,6 +45,11 @@ holds scan-list scan list site.gpkg
 holds panorama panorama site.gpkg 2025-06-01/station1 -o panorama.png --width 40
 holds demo demo dig --seed 3
 holds suggest suggest dig/demo.gpkg
+# The sample dig proposes relations; one of them taken the wrong way round is a height contradiction.
+clash=$("$planum" suggest dig/demo.gpkg --json | python3 -c "import json,sys; s=[s for s in json.load(sys.stdin)['suggestions'] if s['type']=='relation' and s['area_m2'] > 0.2][0]; print(s['other'], 'covers', s['unit'])")
+"$planum" relation add -q dig/demo.gpkg "$clash" >/dev/null
+clash=$("$planum" check dig/demo.gpkg --json | python3 -c "import json,sys; print([p['id'] for p in json.load(sys.stdin)['problems'] if p['code']=='height-contradiction'][0])")
+holds check-show check dig/demo.gpkg --show "$clash" -o clash.png
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --dry-run
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --create-units
 holds region-list region list site.gpkg

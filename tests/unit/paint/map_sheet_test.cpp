@@ -7,6 +7,7 @@
 #include "core/base/error.hpp"
 #include "paint/map_page.hpp"
 #include "paint/qt_runtime.hpp"
+#include "paint/sheet_group_painter.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace planum;
@@ -74,4 +75,28 @@ TEST_CASE("Lengths of scale bars are round") {
     CHECK(round_length(3.7) == 2.0);
     CHECK(round_length(0.99) == 0.5);
     CHECK(round_length(10.0) == 10.0);
+}
+
+TEST_CASE("Sheets of a group lie below one another under their heading, each at its own scale") {
+    geometry::SheetGroup group;
+    group.title = "1 or 2: which lay above?";
+    group.text = std::string(300, 'w'); // no room in one line, and no blank to break it at
+    group.sheets = {{trench(), 20.0}, {trench(), 50.0}};
+    const std::string png = render_sheet_group_png(group, 100.0);
+    CHECK(png == render_sheet_group_png(group, 100.0));
+    ensure_qt_runtime();
+    const MapPage wide = lay_out_map(trench(), 20.0);
+    const MapPage narrow = lay_out_map(trench(), 50.0, wide.width);
+    CHECK(big_endian(png, 16) == static_cast<std::uint32_t>(std::ceil(wide.width * 100.0 / 72.0)));
+    CHECK(big_endian(png, 20) >
+          static_cast<std::uint32_t>((wide.frame.height() + narrow.frame.height()) * 100.0 / 72.0));
+    const std::string pdf = render_sheet_group_pdf(group, Progress::none());
+    CHECK(pdf.substr(0, 5) == "%PDF-");
+    CHECK(pdf == render_sheet_group_pdf(group, Progress::none()));
+}
+
+TEST_CASE("A group that holds nothing, or would be endless, is refused") {
+    CHECK_THROWS_AS(render_sheet_group_png({}, 100.0), Error);
+    CHECK_THROWS_AS(render_sheet_group_png({"", "", "", {{{}, 20.0}}}, 100.0), Error);
+    CHECK_THROWS_AS(render_sheet_group_png({"", "", "", {{trench(), 0.01}}}, 1200.0), Error);
 }
