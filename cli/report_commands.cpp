@@ -2,6 +2,7 @@
 #include "cli/context.hpp"
 
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,25 +25,27 @@ struct Options {
     std::string output;
     std::string format;
     std::string interpretation;
+    std::string day;
 };
 
 void run_report(const Context& context, const Options& options) {
     app::Project project = context.open(OpenMode::ReadOnly);
     const paint::FontTextMeasure measure;
+    const app::ReportRequest request{options.interpretation, options.day};
     if (text::fold_case(std::filesystem::path(options.output).extension().string()) == ".pdf") {
-        app::DrawRequest request;
-        request.interpretation = options.interpretation;
-        const auto drawing = app::draw_matrix(project, request, measure, *context.progress);
+        const app::PrintedReport printed = app::printed_report(project, request, *context.progress);
         paint::ReportPdf report;
-        report.html = app::printed_report(project, options.interpretation, *context.progress);
-        report.drawing = &drawing;
+        report.html = printed.html;
+        std::optional<strat::MatrixDrawing> drawing;
+        if (printed.has_drawing) drawing = app::draw_matrix(project, printed.drawing, measure, *context.progress);
+        report.drawing = drawing ? &*drawing : nullptr;
         report.site = project.record().settings.name;
         report.date = project.clock().now().substr(0, 10);
         write_file_atomically(options.output, paint::render_report_pdf(report, *context.progress));
         context.say("wrote " + options.output);
         return;
     }
-    app::write_report(project, options.output, options.interpretation, measure, *context.progress);
+    app::write_report(project, options.output, request, measure, *context.progress);
     context.say("wrote " + options.output);
 }
 
@@ -66,6 +69,9 @@ void add_report_commands(CLI::App& root, Context& context) {
     command->add_option("-o,--output", report->output, "file to write: .xml (schema planum-report-1), .html or .pdf")
         ->required();
     command->add_option("--interpretation", report->interpretation, "this reading instead of the field record");
+    command->add_option(
+        "--day", report->day,
+        "only what was dug, recorded, found or scanned on this day [2025-06-01], with what that touches");
     command->callback([&context, report] { run_report(context, *report); });
 
     auto data = std::make_shared<Options>();

@@ -105,8 +105,8 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
     DrawRequest request;
     request.titles = true;
     write_file_atomically(job.drawings[0], strat::write_svg(draw_matrix(project, request, measure, progress)));
-    write_report(project, job.drawings[1], {}, measure, progress);
-    write_report(project, job.drawings[2], {}, measure, progress);
+    write_report(project, job.drawings[1], ReportRequest{}, measure, progress);
+    write_report(project, job.drawings[2], ReportRequest{}, measure, progress);
     job.drawings.push_back(write_panorama_of(project, folder, progress));
     return job;
 }

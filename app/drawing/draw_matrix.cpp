@@ -160,6 +160,8 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     if (request.titles) options.labels = strat::Labels::NumbersAndTitles;
     if (!request.area.empty()) options.subtitle = "area " + request.area;
     if (!request.around.empty()) options.subtitle = "around unit " + request.around;
+    options.only = request.only;
+    if (!request.only.empty()) options.subtitle = request.only_what;
     if (request.problems_only) keep_problems(project, request, options, progress);
     model::Record drawn = interpreted(project.record(), request.interpretation);
     if (!request.since.empty() && !request.compared_with.empty()) {

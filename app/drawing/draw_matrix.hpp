@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/project/project.hpp"
 #include "core/base/progress.hpp"
@@ -18,6 +19,8 @@ struct DrawRequest {
     std::string area;
     std::string around; ///< a unit
     int around_steps = 2;
+    std::vector<model::UnitId> only;     ///< these units; empty: all
+    std::string only_what;               ///< what they are, for the subtitle
     std::string fold;                    ///< `phases`, `periods` or `groups`
     bool frames = false;                 ///< around the units of top-level groups
     std::string bands;                   ///< `phases`, `periods` or `none`; empty: where most units have one

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 #include <variant>
 #include <vector>
 
@@ -62,6 +63,7 @@ class Page {
 
     std::string write() {
         head();
+        if (!input_.day.empty()) the_day();
         problems();
         coverage();
         if (!input_.drawing_svg.empty()) {
@@ -80,14 +82,61 @@ class Page {
         out_ += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" +
                 xml_escaped(settings.name) + "</title>\n<style>" + std::string(on_paper_ ? kPaperStyle : kStyle) +
                 "</style>\n</head>\n<body>\n";
+        const std::string size =
+            input_.day.empty() ? fmt::format("{} units, {} relations", record_.units.size(), record_.relations.size())
+                               : fmt::format("{} units of the day, {} beside them", input_.of_day.size(),
+                                             record_.units.size() - input_.of_day.size());
         out_ +=
-            fmt::format("<h1>{}</h1>\n<p class=\"sub\">{} units, {} relations. {} by {}, planum {}{}</p>\n",
-                        xml_escaped(settings.name), record_.units.size(), record_.relations.size(),
-                        xml_escaped(input_.made_at.substr(0, 10)), xml_escaped(input_.made_by), PLANUM_VERSION,
+            fmt::format("<h1>{}{}</h1>\n<p class=\"sub\">{}. {} by {}, planum {}{}</p>\n", xml_escaped(settings.name),
+                        input_.day.empty() ? "" : ", " + input_.day, size, xml_escaped(input_.made_at.substr(0, 10)),
+                        xml_escaped(input_.made_by), PLANUM_VERSION,
                         input_.interpretation.empty() ? "" : "; interpretation " + xml_escaped(input_.interpretation));
         if (on_paper_) return;
         out_ += "<p><a href=\"#problems\">Problems</a> · <a href=\"#matrix\">Matrix</a> · <a "
                 "href=\"#units\">Units</a></p>\n";
+    }
+
+    // A line of units that answer to a question about the day; none, no line.
+    template<class Wanted>
+    void day_row(std::string_view name, const Wanted& wanted) {
+        std::vector<std::string> links;
+        for (const model::StratigraphicUnit& unit : record_.units) {
+            if (input_.of_day.contains(unit.id) && wanted(unit)) links.push_back(link(unit.id));
+        }
+        if (links.empty()) return;
+        out_ += fmt::format("<tr><th>{} ({})</th><td>{}</td></tr>\n", name, links.size(), text::join(links, ", "));
+    }
+
+    void the_day() {
+        const std::string& day = input_.day;
+        out_ += "<h2>The day</h2>\n<table>\n";
+        day_row("begun", [&](const auto& unit) { return unit.excavated_from == day; });
+        day_row("finished", [&](const auto& unit) { return unit.excavated_on == day; });
+        day_row("in work", [&](const auto& unit) {
+            return !unit.excavated_from.empty() && unit.excavated_from < day && unit.excavated_on > day;
+        });
+        day_row("recorded", [&](const auto& unit) { return unit.recorded_on == day; });
+        std::unordered_set<model::UnitId> outlined;
+        for (const model::Region& region : record_.regions) {
+            if (!region.surface.is_nil()) outlined.insert(region.unit);
+        }
+        day_row("outlined", [&](const auto& unit) { return outlined.contains(unit.id); });
+        std::vector<std::string> finds;
+        for (const model::Find& find : record_.finds) {
+            if (find.found_on != day) continue;
+            const std::string of = find.unit.is_nil() ? "no unit" : link(find.unit);
+            finds.push_back(fmt::format("{} {} ({})", xml_escaped(find.number), xml_escaped(find.type), of));
+        }
+        if (!finds.empty()) {
+            out_ += fmt::format("<tr><th>found ({})</th><td>{}</td></tr>\n", finds.size(), text::join(finds, ", "));
+        }
+        for (const model::Scan& scan : record_.scans) {
+            const model::ScanPose* pose = pose_in_force(record_, scan.id);
+            row("scan " + scan.name, pose == nullptr ? "not on the site grid"
+                                                     : fmt::format("placed, {:.0f} % overlap, rms {:.1f} mm",
+                                                                   pose->overlap * 100, pose->rms * 1000));
+        }
+        out_ += "</table>\n";
     }
 
     [[nodiscard]] std::string link(model::UnitId unit) const {
@@ -169,10 +218,10 @@ class Page {
     void coverage() {
         const model::Coverage& c = input_.coverage;
         out_ += fmt::format(
-            "<h2>What could be judged</h2>\n<table>\n<tr><th>relations that state an order</th><td>{}</td></tr>\n"
+            "<h2>What could be judged{}</h2>\n<table>\n<tr><th>relations that state an order</th><td>{}</td></tr>\n"
             "<tr><th>confirmed by levels or surfaces</th><td>{}</td></tr>\n"
             "<tr><th>contradicted</th><td>{}</td></tr>\n",
-            c.relations, c.confirmed, c.contradicted);
+            input_.day.empty() ? "" : " of the whole record", c.relations, c.confirmed, c.contradicted);
         for (const auto& [reason, count] : c.untestable) {
             out_ += fmt::format("<tr><th>not testable: {}</th><td>{}</td></tr>\n", xml_escaped(reason), count);
         }
@@ -212,6 +261,7 @@ class Page {
         }
         out_ += "<h2 id=\"units\">Units</h2>\n";
         for (const model::StratigraphicUnit& unit : record_.units) {
+            if (!input_.day.empty() && !input_.of_day.contains(unit.id)) continue;
             const bool mentioned = unit.origin == model::UnitOrigin::Mentioned;
             out_ += fmt::format("<section class=\"unit\"><h3 id=\"u-{}\">{} {}</h3>\n<table>\n", unit.id.to_string(),
                                 xml_escaped(index_.name(unit.id)), xml_escaped(unit.title));
@@ -233,6 +283,21 @@ class Page {
             }
             out_ += "</table></section>\n";
         }
+        if (!input_.day.empty()) neighbours();
+    }
+
+    // What the day's units touch, in a line each: their sheets belong to other days.
+    void neighbours() {
+        if (record_.units.size() == input_.of_day.size()) return;
+        out_ += "<h2>Beside them</h2>\n<table>\n";
+        for (const model::StratigraphicUnit& unit : record_.units) {
+            if (input_.of_day.contains(unit.id)) continue;
+            out_ += fmt::format("<tr><th id=\"u-{}\">{}</th><td>{}</td><td>{}</td></tr>\n", unit.id.to_string(),
+                                xml_escaped(index_.name(unit.id)),
+                                xml_escaped(fmt::format("{} {}", to_word(unit.kind), to_word(unit.form))),
+                                xml_escaped(unit.title));
+        }
+        out_ += "</table>\n";
     }
 
     const ReportInput& input_;

@@ -50,6 +50,7 @@ void write_project(xml_node root, const ReportInput& input) {
     required(node, "method", to_word(settings.method));
     required(node, "tolerance", fmt::format("{}", settings.tolerance));
     attribute(node, "interpretation", input.interpretation);
+    attribute(node, "day", input.day);
 }
 
 void write_places(xml_node root, const model::Record& record) {
@@ -119,7 +120,8 @@ std::string_view label_of_field(std::string_view name) {
     return name;
 }
 
-void write_units(xml_node root, const model::Record& record) {
+void write_units(xml_node root, const ReportInput& input) {
+    const model::Record& record = *input.record;
     xml_node units = root.append_child("units");
     for (const model::StratigraphicUnit& unit : record.units) {
         xml_node node = units.append_child("unit");
@@ -137,6 +139,7 @@ void write_units(xml_node root, const model::Record& record) {
         attribute(node, "excavated-on", unit.excavated_on);
         attribute(node, "recorded-by", unit.recorded_by);
         attribute(node, "recorded-on", unit.recorded_on);
+        if (input.of_day.contains(unit.id)) attribute(node, "of-day", "true");
         element(node, "title", unit.title);
         element(node, "description", unit.description);
         element(node, "interpretation", unit.interpretation);
@@ -191,9 +194,9 @@ std::string unit_list(const model::Record& record, std::span<const model::UnitIn
 // Only the immediate orders, as in the drawing; the rest follows from them.
 void write_orders(xml_node root, const ReportInput& input) {
     const strat::HarrisMatrix& matrix = *input.matrix;
-    const model::Record& record = *input.record;
+    const model::Record& record = *input.whole;
     xml_node orders = root.append_child("orders");
-    for (const std::uint32_t at : matrix.reduced()) {
+    for (const std::uint32_t at : input.orders) {
         const strat::Order& order = matrix.orders()[at];
         xml_node node = orders.append_child("order");
         required(node, "later", unit_list(record, matrix.members(order.later)));
@@ -386,7 +389,7 @@ std::string write_xml_report(const ReportInput& input) {
     write_project(root, input);
     write_places(root, *input.record);
     write_chronology(root, *input.record);
-    write_units(root, *input.record);
+    write_units(root, input);
     write_relations(root, *input.record);
     write_orders(root, input);
     write_measured(root, *input.record);

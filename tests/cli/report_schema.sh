@@ -26,6 +26,18 @@ id=$("$planum" check site.gpkg --json | python3 -c 'import json,sys; print(json.
 "$planum" report -q site.gpkg -o site.xml
 xmllint --noout --schema "$schema" site.xml
 grep -q 'state="accepted"' site.xml
+"$planum" unit set -q site.gpkg 2 --excavated-on 2025-06-03
+"$planum" report -q site.gpkg -o day.xml --day 2025-06-03
+xmllint --noout --schema "$schema" day.xml
+test "$(grep -c 'of-day="true"' day.xml)" = 1
+grep -q 'day="2025-06-03"' day.xml
+"$planum" report -q site.gpkg -o day.html --day 2025-06-03
+grep -q 'The day' day.html
+status=0
+"$planum" report -q site.gpkg -o none.xml --day 2025-06-02 2>message || status=$?
+test $status = 3
+grep -q 'the first day with something is 2025-06-03' message
+test ! -e none.xml
 "$planum" report -q site.gpkg -o site.html
 xmllint --noout --html site.html 2>&1 | grep -v 'Tag \(svg\|title\|desc\|g\|path\|rect\|text\|style\|line\|polygon\|polyline\|circle\|a\|defs\|section\|tspan\) invalid\|^ *^\|^ *<' | head -5
 echo "1 passed, 0 failed"

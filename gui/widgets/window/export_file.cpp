@@ -28,7 +28,7 @@ QString export_file(app::Project& project, const std::filesystem::path& file, Pr
     const std::string ending = text::fold_case(file.extension().string());
     const paint::FontTextMeasure measure;
     if (ending == ".xml" || ending == ".html") {
-        app::write_report(project, file, {}, measure, progress);
+        app::write_report(project, file, app::ReportRequest{}, measure, progress);
         return wrote(file);
     }
     if (ending == ".svg" || ending == ".pdf" || ending == ".png") {
