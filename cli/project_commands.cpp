@@ -196,7 +196,8 @@ void run_history(const Context& context, const HistoryOptions& options) {
         for (const auto& entry : project.file().history(options.most)) {
             changes.push_back(change_json(entry));
             if (!context.json) {
-                *context.out << fmt::format("{:>5}  {}  {:<12} {}{}\n", entry.number, entry.made_at, entry.author,
+                const std::string number = entry.number > 0 ? fmt::format("{}", entry.number) : "-";
+                *context.out << fmt::format("{:>5}  {}  {:<12} {}{}\n", number, entry.made_at, entry.author,
                                             entry.label, entry.undone ? "  (undone)" : "");
             }
         }

@@ -39,7 +39,7 @@ struct OpenReport {
 
 /// One line of `planum history`.
 struct ChangeEntry {
-    std::int64_t number = 0; ///< ascending
+    std::int64_t number = 0; ///< ascending; 0: another program's work, no undo step
     std::string label;       ///< "Add unit 1042"
     std::string author;
     std::string made_at;

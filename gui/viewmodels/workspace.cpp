@@ -177,7 +177,7 @@ void Workspace::redo() {
 QString Workspace::undo_label() const {
     if (!is_open()) return {};
     for (const store::ChangeEntry& change : snapshot_->changes) {
-        if (!change.undone) return qt(change.label);
+        if (!change.undone && change.number > 0) return qt(change.label);
     }
     return {};
 }

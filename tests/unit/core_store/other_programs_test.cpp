@@ -108,6 +108,17 @@ TEST_CASE("Through GDAL rows are added, changed and marked, and the rules hold")
     CHECK(log[1].field == "title");
     CHECK(log[2].action == "insert");
     CHECK(log[2].author == "outside Planum");
+    std::size_t outside = 0;
+    bool deleted_units = false;
+    for (const ChangeEntry& entry : project.history(100)) {
+        if (entry.number > 0) continue;
+        ++outside;
+        CHECK(entry.author == "outside Planum");
+        deleted_units = deleted_units || entry.label == "Deleted 2 rows of unit with another program";
+    }
+    CHECK(outside > 2);
+    CHECK(deleted_units);
+    CHECK(project.history(1).size() == 1);
     const sqlite::Database database = sqlite::Database::open(file, sqlite::Access::ReadOnly);
     CHECK(database.integer("SELECT count(*) FROM unit WHERE deleted_at IS NOT NULL") == 2);
     CHECK(database.integer("SELECT count(*) FROM relation WHERE deleted_at IS NOT NULL") > 0);
