@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,20 +19,32 @@ namespace planum::app {
 
 namespace {
 
-std::vector<std::filesystem::path> expand(const std::vector<std::filesystem::path>& given) {
-    std::vector<std::filesystem::path> files;
+/// A file to read, and whether it was named itself or lay in a folder that was.
+struct Given {
+    std::filesystem::path path;
+    bool found = false;
+};
+
+std::vector<Given> expand(const std::vector<std::filesystem::path>& given) {
+    std::vector<Given> files;
     for (const std::filesystem::path& path : given) {
         if (!std::filesystem::is_directory(path)) {
-            files.push_back(path);
+            files.push_back({path, false});
             continue;
         }
         for (const auto& entry : std::filesystem::directory_iterator(path)) {
-            if (entry.is_regular_file()) files.push_back(entry.path());
+            // Hidden files are the notes of file managers and editors.
+            const bool hidden = entry.path().filename().string().starts_with('.');
+            if (entry.is_regular_file() && !hidden) files.push_back({entry.path(), true});
         }
     }
-    std::sort(files.begin(), files.end(),
-              [](const auto& a, const auto& b) { return text::natural_order(a.string(), b.string()) < 0; });
-    files.erase(std::unique(files.begin(), files.end()), files.end());
+    // Of a file that is named and found, the named one comes first and stays.
+    std::sort(files.begin(), files.end(), [](const Given& a, const Given& b) {
+        const auto order = text::natural_order(a.path.string(), b.path.string());
+        return order != 0 ? order < 0 : a.found < b.found;
+    });
+    const auto same = [](const Given& a, const Given& b) { return a.path == b.path; };
+    files.erase(std::unique(files.begin(), files.end(), same), files.end());
     if (files.empty()) throw Error(ErrorCode::Usage, "no file to import");
     return files;
 }
@@ -71,6 +84,51 @@ ImportSet read_set(const std::vector<strat::InputFile>& inputs, const strat::Rea
     set.main_source = files.front()->name;
     return set;
 }
+
+// Files of a folder that no reader took: said, not refused, as photos and notes lie beside the lists.
+void note_left_out(const std::vector<strat::InputFile>& inputs, const std::vector<strat::Reading>& plan,
+                   std::vector<strat::ReadNote>& notes) {
+    std::vector<bool> taken(inputs.size(), false);
+    for (const strat::Reading& reading : plan) {
+        for (const std::size_t at : reading.files) taken[at] = true;
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (taken[i]) continue;
+        notes.push_back({inputs[i].name, 0, "left-out", {}, "left out: no record that Planum knows"});
+    }
+}
+
+bool holds_nothing(const strat::ImportedRecord& record) {
+    return record.units.empty() && record.relations.empty() && record.periods.empty() && record.phases.empty() &&
+           record.groups.empty() && record.datings.empty() && record.levels.empty() && record.finds.empty() &&
+           record.samples.empty() && record.documents.empty() && record.areas.empty();
+}
+
+// One line for a source that states some relations from both sheets, but under half: the check does not ask it for the
+// other side (`missing-reciprocal`), and whoever wrote it should know how far it goes.
+std::string reciprocity_of(const strat::ImportedRecord& record) {
+    std::vector<const strat::StatedRelation*> stated;
+    for (const strat::StatedRelation& one : record.relations) {
+        if (one.side != model::StatementSide::Neither) stated.push_back(&one);
+    }
+    const auto key = [](const strat::StatedRelation* s) { return std::tie(s->subject, s->kind, s->object); };
+    std::sort(stated.begin(), stated.end(), [&](const auto* a, const auto* b) {
+        return std::tuple_cat(key(a), std::tie(a->side)) < std::tuple_cat(key(b), std::tie(b->side));
+    });
+    std::size_t relations = 0;
+    std::size_t both = 0;
+    for (std::size_t from = 0, to = 0; from < stated.size(); from = to, ++relations) {
+        while (to < stated.size() && key(stated[to]) == key(stated[from])) ++to;
+        if (stated[from]->side != stated[to - 1]->side) ++both;
+    }
+    // Of a handful, and where hardly any is on both, there is nothing to know.
+    constexpr std::size_t kHandful = 20;
+    if (relations < kHandful || 10 * both < relations || 2 * both >= relations) return {};
+    return fmt::format("{} of {} relations stand on both sheets, the rest on one; the other side is derived", both,
+                       relations);
+}
+
+std::string joined(const std::string& a, const std::string& b) { return a.empty() || b.empty() ? a + b : a + "; " + b; }
 
 template<class T>
 void insert_all(store::ProjectFile& file, const std::vector<T>& values) {
@@ -172,10 +230,19 @@ ImportReport import_files(Project& project, const std::vector<std::filesystem::p
                           const ImportOptions& options, Progress& progress) {
     std::vector<strat::InputFile> inputs;
     std::vector<strat::ReadNote> left_behind;
-    for (const std::filesystem::path& file : expand(files)) {
+    for (const Given& file : expand(files)) {
         progress.check();
-        progress.step("reading " + file.filename().string());
-        inputs.push_back(strat::load_input_file(file));
+        progress.step("reading " + file.path.filename().string());
+        if (file.found && std::filesystem::file_size(file.path) > strat::kMaxRecordFile) {
+            left_behind.push_back({file.path.filename().string(),
+                                   0,
+                                   "left-out",
+                                   {},
+                                   "left out: too large for a record; scans are added with planum scan add"});
+            continue;
+        }
+        inputs.push_back(strat::load_input_file(file.path));
+        inputs.back().found = file.found;
         for (auto& note : read_as_project(inputs.back(), {&project.clock(), &project.uuids(), {}})) {
             left_behind.push_back(std::move(note));
         }
@@ -183,12 +250,18 @@ ImportReport import_files(Project& project, const std::vector<std::filesystem::p
     name_apart(inputs);
     const std::vector<strat::Reading> plan_of_reading = strat::plan_reading(inputs, options.format);
 
+    note_left_out(inputs, plan_of_reading, left_behind);
+
     std::vector<ImportSet> sets;
     std::vector<ImportedFiles> readings;
     for (const strat::Reading& reading : plan_of_reading) {
         progress.check();
         sets.push_back(read_set(inputs, reading, options, progress));
-        ImportedFiles taken{std::string(reading.reader->format), std::string(reading.reader->title), {}, reading.note};
+        ImportedFiles taken{std::string(reading.reader->format),
+                            std::string(reading.reader->title),
+                            {},
+                            joined(reading.note, reciprocity_of(sets.back().record))};
+        if (holds_nothing(sets.back().record)) taken.note = joined(taken.note, "nothing in it but headings");
         for (const std::size_t at : reading.files) taken.files.push_back(inputs[at].name);
         readings.push_back(std::move(taken));
     }

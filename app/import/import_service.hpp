@@ -28,7 +28,7 @@ struct ImportedFiles {
     std::string format;
     std::string title;
     std::vector<std::string> files;
-    std::string note; ///< "could also be read as …" or empty
+    std::string note; ///< what to know about the reading: "could also be read as …", headings only; or empty
 };
 
 /// What an import did, or would do.

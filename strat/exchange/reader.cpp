@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -83,14 +84,19 @@ const Reader& reader_named(std::string_view format) {
     throw Error(ErrorCode::Usage, fmt::format("no format {}; there are {}", format, known));
 }
 
-// The best reading of some of the files; confidence first, then the order of the readers.
-Reading best_reading(std::span<const InputFile> files) {
+// The best reading of some of the files; confidence first, then the order of the readers. None when all that is left
+// merely lay in a folder.
+std::optional<Reading> best_reading(std::span<const InputFile> files) {
     const std::vector<Candidate> candidates = ask_all(files);
-    if (candidates.empty()) fail_unknown(files.front());
+    if (candidates.empty()) {
+        const auto named = std::find_if(files.begin(), files.end(), [](const InputFile& file) { return !file.found; });
+        if (named == files.end()) return std::nullopt;
+        fail_unknown(*named);
+    }
     const auto best = std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return a.recognition.confidence < b.recognition.confidence;
     });
-    return {best->reader, best->recognition.files, choice_note(*best, candidates)};
+    return Reading{best->reader, best->recognition.files, choice_note(*best, candidates)};
 }
 
 } // namespace
@@ -114,8 +120,7 @@ std::vector<Reading> plan_reading(std::span<const InputFile> files, std::string_
         plan.push_back(std::move(reading));
         return plan;
     }
-    plan.push_back(best_reading(files));
-    // Most calls end here. Otherwise what is left is asked about again, alone.
+    // Most calls end after the first round. Otherwise what is left is asked about again, alone.
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < files.size(); ++i) left.push_back(i);
     const auto take = [&](const Reading& reading) {
@@ -123,15 +128,18 @@ std::vector<Reading> plan_reading(std::span<const InputFile> files, std::string_
             return std::find(reading.files.begin(), reading.files.end(), file) != reading.files.end();
         });
     };
-    take(plan.back());
     while (!left.empty()) {
         std::vector<InputFile> rest;
-        for (const std::size_t file : left) rest.push_back(files[file]);
-        Reading reading = best_reading(rest);
-        for (std::size_t& file : reading.files) file = left[file];
-        take(reading);
-        plan.push_back(std::move(reading));
+        if (left.size() < files.size()) {
+            for (const std::size_t file : left) rest.push_back(files[file]);
+        }
+        std::optional<Reading> reading = best_reading(rest.empty() ? files : rest);
+        if (!reading) break;
+        for (std::size_t& file : reading->files) file = left[file];
+        take(*reading);
+        plan.push_back(std::move(*reading));
     }
+    if (plan.empty()) fail_unknown(files.front());
     return plan;
 }
 

@@ -22,6 +22,7 @@ struct InputFile {
     std::string name; ///< without folders
     std::string bytes;
     bool is_database = false; ///< starts with the SQLite header
+    bool found = false;       ///< in a folder that was named, not itself: left out when no reader knows it
 };
 
 struct ReadOptions {
@@ -65,8 +66,9 @@ struct Reading {
     std::string note; ///< "could also be read as …; --format overrules" or empty
 };
 
-/// Which files go to which reader. `format` empty: by content; else that reader takes all files. Throws
-/// BadInput naming the first file that no reader knows, and what was looked for.
+/// Which files go to which reader. `format` empty: by content; else that reader takes all files. Files that no
+/// reader knows and that merely lay in a folder are in no reading. Throws BadInput naming the first other file that no
+/// reader knows, and what was looked for.
 [[nodiscard]] std::vector<Reading> plan_reading(std::span<const InputFile> files, std::string_view format);
 
 } // namespace planum::strat

@@ -16,6 +16,8 @@ TEST_CASE("Relation words of four languages mean the same kinds") {
         INFO(word);
         CHECK(relation_from_any_word(word) == DirectedKind{RelationKind::Cuts, true});
     }
+    CHECK(relation_from_any_word("überdeckt") == DirectedKind{RelationKind::Covers, false});
+    CHECK(relation_from_any_word("Wird bedeckt von") == DirectedKind{RelationKind::Covers, true});
     CHECK(relation_from_any_word("Gli si appoggia") == DirectedKind{RelationKind::Abuts, true});
     CHECK(relation_from_any_word("> >") == DirectedKind{RelationKind::Later, false});
     CHECK(relation_from_any_word("<<") == DirectedKind{RelationKind::Later, true});
