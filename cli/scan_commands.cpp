@@ -53,6 +53,8 @@ void run_add(const Context& context, const AddOptions& options) {
     }
     for (const app::ScanThere& one : report.there_already) {
         out << fmt::format("{} is in the project already, as {}\n", one.file, one.scan);
+        if (options.add.columns.empty()) continue;
+        out << fmt::format("to read its columns otherwise, take it out first: planum scan delete SITE {}\n", one.scan);
     }
     if (context.verbose) {
         for (const std::string& line : report.left_aside) out << line << '\n';

@@ -21,7 +21,10 @@ fs::path scans_folder(const fs::path& project) {
 }
 
 fs::path store_path(const fs::path& project, const model::Scan& scan) {
-    return scans_folder(project) / fmt::format("{}-{}.pts", scan.sha256.substr(0, 24), scan.cloud);
+    // The same bytes read by other columns are other points.
+    const std::string columns = stated_columns(scan);
+    const std::string key = columns.empty() ? scan.sha256 : sha256(scan.sha256 + ' ' + columns);
+    return scans_folder(project) / fmt::format("{}-{}.pts", key.substr(0, 24), scan.cloud);
 }
 
 fs::path original_path(const fs::path& project, const model::Scan& scan) {

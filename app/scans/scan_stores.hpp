@@ -18,7 +18,8 @@ namespace planum::app {
 /// `NAME.scans` beside the project file: caches that can all be made again.
 [[nodiscard]] std::filesystem::path scans_folder(const std::filesystem::path& project);
 
-/// Where the points of a scan are kept, by the hash of the original and the number of the cloud in it.
+/// Where the points of a scan are kept, by the hash of the original, the columns stated for it and the number of the
+/// cloud in it.
 [[nodiscard]] std::filesystem::path store_path(const std::filesystem::path& project, const model::Scan& scan);
 
 /// Where the original of a scan should be; relative paths count from the project file.

@@ -47,9 +47,13 @@ std::string sha256(std::string_view bytes) {
 
 std::string sha256_of_file(const std::filesystem::path& file, Progress& progress) {
     constexpr std::uintmax_t report_every = 64U << 20U;
+    std::error_code ignored;
+    // A pipe would be waited for without end.
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+        throw Error(ErrorCode::BadInput, file.string() + ": not an ordinary file");
+    }
     std::ifstream in(file, std::ios::binary);
     if (!in) throw Error(ErrorCode::Io, file.string() + ": cannot be opened for reading");
-    std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
     std::uintmax_t done = 0;
     Sha256 hash;

@@ -31,7 +31,8 @@ class Sha256 {
 
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
-/// Hash of a file's content, read in pieces. Throws Io when it cannot be read, Cancelled.
+/// Hash of a file's content, read in pieces. Throws BadInput when it is a folder or pipe, Io when it cannot be
+/// read, Cancelled.
 [[nodiscard]] std::string sha256_of_file(const std::filesystem::path& file, Progress& progress = Progress::none());
 
 } // namespace planum

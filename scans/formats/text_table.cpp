@@ -113,12 +113,19 @@ void read_row(const LineReader& lines, const TextTable& table, std::vector<doubl
 
 std::vector<Role> guess_roles(const ByteSource& source, const TextTable& table, std::size_t columns) {
     LineReader lines(source, table.offset, table.first_line, kSampleWindow);
-    std::vector<ColumnLook> looks(columns);
+    std::vector<std::size_t> numeric; // columns that hold a number on the first line: names of points are passed over
+    std::vector<ColumnLook> looks;    // one for each of them
     bool first = true;
     for (std::uint64_t i = 0; i < kSampled && next_data_line(lines); ++i) {
         const std::vector<std::string_view> fields = split_line(lines.line(), table.separator);
-        for (std::size_t k = 0; k < std::min(columns, fields.size()); ++k) {
-            const std::optional<double> value = text::parse_double(fields[k]);
+        if (first) {
+            for (std::size_t k = 0; k < std::min(columns, fields.size()); ++k) {
+                if (text::parse_double(fields[k])) numeric.push_back(k);
+            }
+            looks.resize(numeric.size());
+        }
+        for (std::size_t k = 0; k < numeric.size() && numeric[k] < fields.size(); ++k) {
+            const std::optional<double> value = text::parse_double(fields[numeric[k]]);
             ColumnLook& look = looks[k];
             look.whole = look.whole && value && *value == std::floor(*value);
             if (!value) continue;
@@ -129,16 +136,16 @@ std::vector<Role> guess_roles(const ByteSource& source, const TextTable& table, 
     }
     std::vector<Role> roles(columns, Role::Other);
     const auto set = [&](std::size_t at, std::initializer_list<Role> some) {
-        std::copy(some.begin(), some.end(), roles.begin() + static_cast<std::ptrdiff_t>(at));
+        for (const Role role : some) roles[numeric[at++]] = role;
     };
-    if (columns >= 3) set(0, {Role::X, Role::Y, Role::Z});
-    if (columns >= 7 && looks_like_colour(looks, 4)) {
+    if (numeric.size() >= 3) set(0, {Role::X, Role::Y, Role::Z});
+    if (numeric.size() >= 7 && looks_like_colour(looks, 4)) {
         set(3, {Role::Intensity, Role::Red, Role::Green, Role::Blue});
-    } else if (columns >= 6 && looks_like_colour(looks, 3)) {
+    } else if (numeric.size() >= 6 && looks_like_colour(looks, 3)) {
         set(3, {Role::Red, Role::Green, Role::Blue});
-        if (columns == 7) roles[6] = Role::Intensity;
-    } else if (columns == 4 || columns == 5) {
-        roles[3] = Role::Intensity;
+        if (numeric.size() == 7) set(6, {Role::Intensity});
+    } else if (numeric.size() == 4 || numeric.size() == 5) {
+        set(3, {Role::Intensity});
     }
     return roles;
 }

@@ -42,8 +42,9 @@ struct TextTable {
 /// Reads the columns that have a role into `values` (one a column); throws BadInput with the line.
 void read_row(const LineReader& lines, const TextTable& table, std::vector<double>& values);
 
-/// Gives the columns their meaning by their number and values: 3: x y z; 4: + intensity; 6: + colour
-/// where the values are whole and small; 7: both, in either order. Looks at the first thousands of lines.
+/// Gives the columns that hold a number on the first line their meaning by how many they are and their values: 3: x y
+/// z; 4: + intensity; 6: + colour where the values are whole and small; 7: both, in either order. Looks at the first
+/// thousands of lines.
 [[nodiscard]] std::vector<Role> guess_roles(const ByteSource& source, const TextTable& table, std::size_t columns);
 
 /// Makes the plan from the roles and the ranges in the first thousands of lines, and fills what

@@ -55,6 +55,28 @@ TEST_CASE("a point store that is gone or damaged is made again from the original
     CHECK(opened->info().source_sha256 == scan.sha256);
 }
 
+TEST_CASE("the same file read by other columns is kept apart, so that taking back brings the first points") {
+    const test::TemporaryFolder folder;
+    const fs::path site = folder.path() / "site.gpkg";
+    const fs::path original = folder.path() / "2025-06-01" / "points.xyz";
+    write(original, "1 2 3 4 5\n4 5 6 7 8\n");
+    Project project = Project::create(site, {}, {});
+    const auto highest = [&] {
+        const model::Scan scan = scan_named(project, "2025-06-01/points");
+        return open_store(site, scan, Progress::none())->bounds().maximum[2];
+    };
+    add_scans(project, {original}, {}, Progress::none());
+    CHECK(highest() == Approx(6.0));
+    delete_scan(project, "2025-06-01/points");
+    AddScansOptions options;
+    options.columns = "x,y,-,z";
+    add_scans(project, {original}, options, Progress::none());
+    CHECK(highest() == Approx(7.0));
+    project.undo();
+    project.undo();
+    CHECK(highest() == Approx(6.0));
+}
+
 TEST_CASE("another file in the place of the original is not taken for it") {
     const test::TemporaryFolder folder;
     const fs::path site = folder.path() / "site.gpkg";

@@ -170,6 +170,10 @@ TEST_CASE("XYZ shows which columns it guessed and why") {
     CHECK(guess("1\t2\t3\t10\t20\t30\t0.5\n") == "x y z red green blue intensity (by number and values; cut by tabs)");
     CHECK(guess("nr;Y;X;Z\n9;2;1;3\n") == "- y x z (by the names in the file; cut by semicolons)");
     CHECK(guess("1,5;2,5;3,5\n") == "x y z (by number and values; cut by semicolons; decimal comma)");
+    CHECK(guess("P1 1 2 3\nP2 4 5 6\n") == "- x y z (by number and values; cut by blanks)");
+    CHECK(guess("1\t2\t3\tpeg\t40\n") == "x y z - intensity (by number and values; cut by tabs)");
+    CHECK(guess("East;North;Height\n1;2;3\n") == "x y z (by the names in the file; cut by semicolons)");
+    CHECK(guess("Höhe;Rechtswert;Hochwert\n3;1;2\n") == "z x y (by the names in the file; cut by semicolons)");
     CHECK(guess("1 2 3 4 5\n", "y,x,z,-,intensity") == "y x z - intensity (as told; cut by blanks)");
 }
 
@@ -225,6 +229,8 @@ TEST_CASE("A folder named by its date is the day") {
     CHECK(day_of_folder("/dig/2025-06-01/station1.ptx") == "2025-06-01");
     CHECK(day_of_folder("dig/2025-06-01 morning/faro/station1.ptx") == "2025-06-01");
     CHECK_FALSE(day_of_folder("dig/2025-13-01/station1.ptx"));
+    CHECK_FALSE(day_of_folder("dig/2025-02-29/station1.ptx"));
+    CHECK(day_of_folder("dig/2024-02-29/station1.ptx") == "2024-02-29");
     CHECK_FALSE(day_of_folder("2025-06-01.ptx"));
 }
 
