@@ -285,9 +285,14 @@ class Orderer {
         std::vector<std::uint32_t>& layer = g_.layers[l];
         keyed_.clear();
         for (const std::uint32_t v : layer) {
-            if (!fixed.row(v).empty()) keyed_.push_back({centre_of(fixed.row(v), centre), v});
+            const auto row = fixed.row(v);
+            if (row.size() == 1) {
+                keyed_.push_back({position_[row[0]], v});
+            } else if (!row.empty()) {
+                keyed_.push_back({centre_of(row, centre), v});
+            }
         }
-        sort_keyed();
+        if (!sort_keyed()) return;
         std::size_t next = 0;
         for (std::uint32_t& v : layer) {
             if (!fixed.row(v).empty()) v = keyed_[next++].second;
@@ -295,20 +300,25 @@ class Orderer {
         number(l);
     }
 
-    // Levels are small and, after the first sweeps, nearly sorted.
-    void sort_keyed() {
+    // Levels are small and, after the first sweeps, nearly sorted. False if they were sorted already.
+    bool sort_keyed() {
         constexpr std::size_t kSmall = 96;
+        const auto by_key = [](const auto& a, const auto& b) { return a.first < b.first; };
         if (keyed_.size() > kSmall) {
-            std::stable_sort(keyed_.begin(), keyed_.end(),
-                             [](const auto& a, const auto& b) { return a.first < b.first; });
-            return;
+            if (std::is_sorted(keyed_.begin(), keyed_.end(), by_key)) return false;
+            std::stable_sort(keyed_.begin(), keyed_.end(), by_key);
+            return true;
         }
+        bool moved_any = false;
         for (std::size_t i = 1; i < keyed_.size(); ++i) {
+            if (keyed_[i - 1].first <= keyed_[i].first) continue;
             const auto moved = keyed_[i];
             std::size_t j = i;
             for (; j > 0 && keyed_[j - 1].first > moved.first; --j) keyed_[j] = keyed_[j - 1];
             keyed_[j] = moved;
+            moved_any = true;
         }
+        return moved_any;
     }
 
     double centre_of(std::span<const std::uint32_t> neighbours, Centre centre) {
