@@ -27,8 +27,8 @@ struct AreaEvidence {
     std::vector<scans::KnownUnit> units;    ///< in the order of the record
     scans::GridFrame frame;                 ///< the cells that were compared
     scans::AreaHistory history;
-    std::vector<scans::Conclusion> conclusions;
-    std::vector<UnseenSurface> unseen; ///< outlined, but of no use
+    std::vector<scans::Conclusion> conclusions; ///< with all questions, see scans::keep_useful_questions()
+    std::vector<UnseenSurface> unseen;          ///< outlined, but of no use
 };
 
 /// Compares all surfaces of all areas that have outlines and registered scans. What was found about two surfaces comes

@@ -13,6 +13,7 @@
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/base/text.hpp"
+#include "scans/surface/questions.hpp"
 #include "strat/matrix/harris_matrix.hpp"
 
 namespace planum::app {
@@ -67,24 +68,37 @@ class RecordedOrder {
         for (const auto& order : matrix_.orders()) below_[order.later].push_back(order.earlier);
     }
 
-    [[nodiscard]] bool orders(model::UnitId a, model::UnitId b) const { return is_above(a, b) || is_above(b, a); }
-
     [[nodiscard]] bool is_above(model::UnitId a, model::UnitId b) const {
-        return reaches(matrix_.node_of(index_.find(a)), matrix_.node_of(index_.find(b)));
+        return reached_from(matrix_.node_of(index_.find(a)))[matrix_.node_of(index_.find(b))] != 0;
+    }
+
+    /// All orders between these units, by number, over whatever path.
+    [[nodiscard]] std::vector<scans::KnownOrder> among(std::span<const scans::KnownUnit> units) const {
+        std::vector<strat::NodeIndex> nodes;
+        for (const scans::KnownUnit& unit : units) nodes.push_back(matrix_.node_of(index_.find(unit.id)));
+        std::vector<scans::KnownOrder> known;
+        for (std::size_t u = 0; u < nodes.size(); ++u) {
+            const std::vector<char> reached = reached_from(nodes[u]);
+            for (std::size_t v = 0; v < nodes.size(); ++v) {
+                if (u != v && reached[nodes[v]] != 0)
+                    known.push_back({static_cast<scans::UnitNumber>(u), static_cast<scans::UnitNumber>(v)});
+            }
+        }
+        return known;
     }
 
   private:
-    [[nodiscard]] bool reaches(strat::NodeIndex from, strat::NodeIndex to) const {
+    // Itself and all that is earlier, by node.
+    [[nodiscard]] std::vector<char> reached_from(strat::NodeIndex from) const {
         std::vector<char> seen(below_.size(), 0);
         std::vector<strat::NodeIndex> waiting = {from};
         while (!waiting.empty()) {
             const strat::NodeIndex at = waiting.back();
             waiting.pop_back();
-            if (at == to) return true;
             if (std::exchange(seen[at], 1) != 0) continue;
             waiting.insert(waiting.end(), below_[at].begin(), below_[at].end());
         }
-        return false;
+        return seen;
     }
 
     model::RecordIndex index_;
@@ -179,11 +193,10 @@ std::vector<Suggestion> suggestions_from(Project& project, const std::vector<Are
     if (evidence.empty()) return all;
     const RecordedOrder recorded(record);
     for (const AreaEvidence& area : evidence) {
-        for (const scans::Conclusion& c : area.conclusions) {
-            Suggestion s = suggestion_of(record, project.index(), recorded, area, c);
-            if (s.type == SuggestionType::Question && recorded.orders(s.unit, s.other)) continue;
-            all.push_back(std::move(s));
-        }
+        std::vector<scans::Conclusion> conclusions = area.conclusions;
+        scans::keep_useful_questions(conclusions, area.units.size(), recorded.among(area.units));
+        for (const scans::Conclusion& c : conclusions)
+            all.push_back(suggestion_of(record, project.index(), recorded, area, c));
     }
     const auto rank = [](const Suggestion& s) {
         return std::tuple(s.state != SuggestionState::Open, s.type == SuggestionType::Question, -s.area);

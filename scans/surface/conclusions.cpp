@@ -7,8 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "scans/surface/questions.hpp"
-
 namespace planum::scans {
 
 namespace {
@@ -371,7 +369,6 @@ std::vector<Conclusion> conclude(const AreaHistory& history, std::span<const Kno
         }
         all.push_back(c);
     }
-    keep_useful_questions(all, units.size());
     return all;
 }
 

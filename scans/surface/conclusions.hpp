@@ -60,7 +60,8 @@ struct AreaHistory {
     std::vector<bool> hides_somewhere;
 };
 
-/// Draws the conclusions that docs/evidence.md lists, and no others. Sorted by unit, other.
+/// Draws the conclusions that docs/evidence.md lists, and no others. Sorted by unit, other; all questions,
+/// of which keep_useful_questions() leaves those worth asking.
 [[nodiscard]] std::vector<Conclusion> conclude(const AreaHistory& history, std::span<const KnownUnit> units);
 
 } // namespace planum::scans

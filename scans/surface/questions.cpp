@@ -17,12 +17,13 @@ constexpr std::size_t kFewProposals = 8;
 // What is later and earlier than what by the proposals, through any number of units.
 class KnownOrders {
   public:
-    KnownOrders(const std::vector<Conclusion>& all, std::size_t units)
+    KnownOrders(const std::vector<Conclusion>& all, std::size_t units, std::span<const KnownOrder> recorded)
         : below_(units, std::vector<bool>(units, false)), above_(units), under_(units) {
         std::vector<std::vector<UnitNumber>> next(units);
         for (const Conclusion& c : all) {
             if (!c.is_question) next[static_cast<std::size_t>(c.unit)].push_back(c.other);
         }
+        for (const KnownOrder& order : recorded) next[static_cast<std::size_t>(order.later)].push_back(order.earlier);
         for (std::size_t u = 0; u < units; ++u) {
             std::vector<UnitNumber> waiting = {static_cast<UnitNumber>(u)};
             while (!waiting.empty()) {
@@ -80,8 +81,8 @@ bool is_more_useful(const RankedQuestion& a, const RankedQuestion& b) {
 
 } // namespace
 
-void keep_useful_questions(std::vector<Conclusion>& all, std::size_t units) {
-    const KnownOrders known(all, units);
+void keep_useful_questions(std::vector<Conclusion>& all, std::size_t units, std::span<const KnownOrder> recorded) {
+    const KnownOrders known(all, units, recorded);
     std::vector<bool> drop(all.size(), false);
     for (const bool levels : {false, true}) {
         std::vector<RankedQuestion> ranked;

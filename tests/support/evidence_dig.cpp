@@ -5,6 +5,8 @@
 #include <chrono>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "app/checks/daily_check.hpp"
 #include "app/evidence/evidence.hpp"
 #include "app/import/import_service.hpp"
@@ -12,6 +14,7 @@
 #include "app/registration/import_markers.hpp"
 #include "app/scans/add_scans.hpp"
 #include "app/scans/days_surface.hpp"
+#include "scans/surface/questions.hpp"
 
 namespace planum::test {
 
@@ -51,11 +54,55 @@ std::vector<scans::Conclusion> numbered_as_formed(const app::demo::DemoDig& dig,
         return formed.at(project.index().name(area.units[static_cast<std::size_t>(u)].id));
     };
     std::vector<scans::Conclusion> conclusions = area.conclusions;
+    scans::keep_useful_questions(conclusions, area.units.size());
     for (scans::Conclusion& c : conclusions) {
         c.unit = number(c.unit);
         c.other = number(c.other);
     }
     return conclusions;
+}
+
+// What surfaces say of a pair that was missed, step by step, and what was made of it.
+void trace(const app::AreaEvidence& area, app::Project& project, const std::string& later, const std::string& earlier) {
+    const auto number = [&](const std::string& name) {
+        for (std::size_t u = 0; u < area.units.size(); ++u) {
+            if (project.index().name(area.units[u].id) == name) return static_cast<scans::UnitNumber>(u);
+        }
+        return scans::kNobody;
+    };
+    const scans::UnitNumber u = number(later);
+    const scans::UnitNumber v = number(earlier);
+    if (u == scans::kNobody || v == scans::kNobody) {
+        fmt::print("      {} {}: not outlined\n", later, earlier);
+        return;
+    }
+    const auto& a = area.units[static_cast<std::size_t>(u)];
+    const auto& b = area.units[static_cast<std::size_t>(v)];
+    fmt::print("      {} {}/{}, {} {}/{}, cells of {:.2f} m\n", later, to_word(a.kind), to_word(a.form), earlier,
+               to_word(b.kind), to_word(b.form), area.frame.cell);
+    for (std::size_t i = 0; i < area.history.steps.size(); ++i) {
+        const double square = area.history.steps[i].cell * area.history.steps[i].cell;
+        for (const scans::Succession& s : area.history.steps[i].successions) {
+            if ((s.first != u || s.then != v) && (s.first != v || s.then != u)) continue;
+            fmt::print(
+                "      step {}: {} > {}: {:.3f} m², lower {:.3f}, thin {:.3f}, cut {:.3f} {:.3f}, drop {:.3f} of "
+                "{:.3f}, hidden {}\n",
+                i, s.first == u ? later : earlier, s.first == u ? earlier : later, square * double(s.cells),
+                square * double(s.lower), square * double(s.thin), square * double(s.cut_first),
+                square * double(s.cut_then), s.drop, s.tolerance, s.hidden);
+        }
+        for (const scans::EdgeMigration& e : area.history.steps[i].edges) {
+            if ((e.a != u || e.b != v) && (e.a != v || e.b != u)) continue;
+            fmt::print("      step {}: line {:.2f} m, followed {:.2f}, into {} {:.2f}, into {} {:.2f}\n", i, e.length,
+                       e.followed, e.a == u ? later : earlier, e.into_a, e.a == u ? earlier : later, e.into_b);
+        }
+    }
+    for (const scans::Conclusion& c : area.conclusions) {
+        if ((c.unit != u || c.other != v) && (c.unit != v || c.other != u)) continue;
+        fmt::print("      {} {} {}: ground {}, {:.3f} m²{}\n", c.is_question ? "question" : "relation",
+                   c.unit == u ? later : earlier, to_word(c.kind), static_cast<int>(c.ground), c.area,
+                   c.thin ? ", thin" : "");
+    }
 }
 
 // The same evidence for another record of the same dig, by number.
@@ -133,6 +180,20 @@ EvidenceDig evidence_of_dig(const fs::path& folder, const app::demo::SimulationO
     look_for_mistakes(result, dig,
                       app::check_record(mistaken.record(), carried_over(evidence, project, mistaken), Progress::none()),
                       mistaken);
+    if (loud) {
+        const auto& formed = dig.formation.units();
+        for (const app::AreaEvidence& area : areas) {
+            for (const auto& [later, earlier] : result.tally.missed) {
+                fmt::print("    trace of a missed contact\n");
+                trace(area, project, formed[static_cast<std::size_t>(later)].number,
+                      formed[static_cast<std::size_t>(earlier)].number);
+            }
+            for (const std::string& mistake : result.missed_mistakes) {
+                fmt::print("    trace of a missed mistake: {}\n", mistake);
+                trace(area, project, mistake.substr(mistake.rfind(' ') + 1), mistake.substr(0, mistake.find(' ')));
+            }
+        }
+    }
     return result;
 }
 

@@ -27,6 +27,7 @@ struct EvidenceTally {
     int recalled = 0;       ///< of these proposed, implied or asked
     int faint = 0;          ///< with 0.02 to 0.1 m²
     int faint_recalled = 0;
+    std::vector<std::pair<int, int>> missed; ///< later, earlier; of one dig
 
     EvidenceTally& operator+=(const EvidenceTally& o) {
         digs += o.digs;
@@ -182,6 +183,7 @@ inline EvidenceTally tally_of(const app::demo::DemoDig& dig, const std::vector<s
         const bool visible = seen->second.area >= 0.1;
         ++(visible ? tally.visible : tally.faint);
         if (found) ++(visible ? tally.recalled : tally.faint_recalled);
+        if (!found) tally.missed.emplace_back(c.later, c.earlier);
         if (!found && loud) {
             std::printf("  seed %d missed %s %s %s seen %.3f surfaces %d > %d\n", static_cast<int>(dig.options.seed),
                         name(c.later).c_str(), std::string(model::to_word(c.kind)).c_str(), name(c.earlier).c_str(),

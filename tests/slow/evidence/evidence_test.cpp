@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/model/place.hpp"
+#include "scans/surface/questions.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/evidence_tally.hpp"
 
@@ -17,8 +18,9 @@ EvidenceTally tally_digs(model::DigMethod method, int first, int last, const Gro
     EvidenceTally all;
     for (int seed = first; seed <= last; ++seed) {
         const auto dig = demo_dig(static_cast<std::uint64_t>(seed), method);
-        all += tally_of(dig, scans::conclude(history_of(dig, noise), known_units(dig)),
-                        std::getenv("PLANUM_LOUD") != nullptr);
+        auto conclusions = scans::conclude(history_of(dig, noise), known_units(dig));
+        scans::keep_useful_questions(conclusions, known_units(dig).size());
+        all += tally_of(dig, conclusions, std::getenv("PLANUM_LOUD") != nullptr);
     }
     return all;
 }

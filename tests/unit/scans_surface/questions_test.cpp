@@ -51,6 +51,14 @@ TEST_CASE("What the proposals imply is not asked, in either direction") {
     CHECK(all.size() == 3);
 }
 
+TEST_CASE("What the record answers takes no room from other questions") {
+    std::vector<Conclusion> all = {proposal(0, 1, model::EvidenceSource::Levels), question(2, 3, 1.0),
+                                   question(4, 1, 0.5), question(5, 4, 0.2)};
+    const std::vector<scans::KnownOrder> recorded = {{3, 2}, {4, 0}}; // the second answers 4, 1 with the proposal
+    scans::keep_useful_questions(all, 6, recorded);
+    CHECK(asked(all) == std::vector<std::pair<int, int>>{{5, 4}});
+}
+
 TEST_CASE("Where only some may be asked, those that settle most orders come first") {
     // 0 over 1 over 2 and 3 over 4: asking 2, 3 settles six pairs, 5, 6 settles one.
     std::vector<Conclusion> all = {proposal(0, 1, model::EvidenceSource::StratigraphicSurfaces),
