@@ -155,6 +155,9 @@ void keep_places(model::Record& record, const UnitSet& of_day, const std::string
     keep_if(record.regions, [&](const auto& region) {
         return surfaces.contains(region.surface) || (!region.section.is_nil() && of_day.contains(region.unit));
     });
+    std::unordered_set<model::SectionId> drawn;
+    for (const model::Region& region : record.regions) drawn.insert(region.section);
+    keep_if(record.sections, [&](const auto& section) { return section.day == day || drawn.contains(section.id); });
 }
 
 void keep_sources(model::Record& record, const std::string& day) {

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "app/reports/xml_nodes.hpp"
+#include "app/reports/xml_scan_nodes.hpp"
 #include "core/base/text.hpp"
 
 namespace planum::app {
@@ -16,30 +18,12 @@ namespace {
 
 using pugi::xml_node;
 
-// XML 1.0 has no place for control characters; entering them is refused, but old files may hold some.
-std::string clean(std::string_view text) { return text::clean_utf8(text).text; }
-
-void attribute(xml_node node, const char* name, std::string_view value) {
-    if (!value.empty()) node.append_attribute(name).set_value(clean(value).c_str());
-}
-
-void required(xml_node node, const char* name, std::string_view value) {
-    node.append_attribute(name).set_value(clean(value).c_str());
-}
-
-template<class Tag>
-void reference(xml_node node, const char* name, const Id<Tag>& id) {
-    if (!id.is_nil()) attribute(node, name, id.to_string());
-}
-
-template<class T>
-void optional(xml_node node, const char* name, const std::optional<T>& value) {
-    if (value) attribute(node, name, fmt::format("{}", *value));
-}
-
-void element(xml_node parent, const char* name, std::string_view text) {
-    if (!text.empty()) parent.append_child(name).text().set(clean(text).c_str());
-}
+using xml::attribute;
+using xml::clean;
+using xml::element;
+using xml::optional;
+using xml::reference;
+using xml::required;
 
 void write_project(xml_node root, const ReportInput& input) {
     const model::ProjectSettings& settings = input.record->settings;
@@ -354,6 +338,7 @@ void write_judgement(xml_node root, const ReportInput& input) {
         attribute(node, "made-at", decision.made_at);
         element(node, "because", decision.because);
     }
+    xml::write_interpretations(root, *input.record);
     xml_node coverage = root.append_child("coverage");
     required(coverage, "relations", fmt::format("{}", input.coverage.relations));
     required(coverage, "confirmed", fmt::format("{}", input.coverage.confirmed));
@@ -393,6 +378,7 @@ std::string write_xml_report(const ReportInput& input) {
     write_relations(root, *input.record);
     write_orders(root, input);
     write_measured(root, *input.record);
+    xml::write_places_of_units(root, *input.record);
     write_judgement(root, input);
     std::ostringstream out;
     document.save(out, "  ", pugi::format_indent, pugi::encoding_utf8);

@@ -21,11 +21,18 @@ xmllint --noout --schema "$schema" empty.xml
 "$planum" sample add -q site.gpkg S1 --unit 2 --type soil >/dev/null
 "$planum" document add -q site.gpkg P1 --unit 2 --type photo >/dev/null
 "$planum" group add -q site.gpkg G1 --members "2, 3" >/dev/null
+printf '%s' '{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"unit": "2", "day": "2025-06-03"},
+ "geometry": {"type": "Polygon", "coordinates": [[[0, 0, 9], [2, 0, 9], [2, 2, 9], [0, 2, 9], [0, 0, 9]],
+ [[0.5, 0.5, 9], [0.5, 1, 9], [1, 1, 9], [1, 0.5, 9], [0.5, 0.5, 9]]]}}]}' >outlines.geojson
+"$planum" region import -q site.gpkg outlines.geojson >/dev/null
+"$planum" interpretation add -q site.gpkg other --adds "1 later 4" >/dev/null
 id=$("$planum" check site.gpkg --json | python3 -c 'import json,sys; print(json.load(sys.stdin)["problems"][0]["id"])')
 "$planum" check -q site.gpkg --accept "$id" --because "seen in the section"
 "$planum" report -q site.gpkg -o site.xml
 xmllint --noout --schema "$schema" site.xml
 grep -q 'state="accepted"' site.xml
+grep -q '<hole>' site.xml
+grep -q '<added subject=' site.xml
 "$planum" unit set -q site.gpkg 2 --excavated-on 2025-06-03
 "$planum" report -q site.gpkg -o day.xml --day 2025-06-03
 xmllint --noout --schema "$schema" day.xml
