@@ -7,11 +7,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/regions/ready_patches.hpp"
 #include "app/regions/region_import.hpp"
 #include "app/regions/region_list.hpp"
 #include "app/regions/region_names.hpp"
 #include "app/regions/region_ply.hpp"
+#include "core/base/file.hpp"
 #include "core/base/text.hpp"
+#include "core/geometry/polygon_overlay.hpp"
 
 namespace planum::cli {
 
@@ -148,6 +151,45 @@ void run_list(const Context& context, const std::string& day) {
     for (const auto& problem : regions.problems) context.say("not counted: " + problem.what);
 }
 
+struct PatchArguments {
+    app::PatchQuery query;
+    std::string output;
+};
+
+void run_patches(const Context& context, const PatchArguments& arguments) {
+    app::Project project = context.open(store::OpenMode::ReadOnly);
+    const app::ReadyPatches found = app::ready_patches(project, arguments.query, *context.progress);
+    if (!arguments.output.empty()) {
+        write_file_atomically(arguments.output, app::patches_geojson(project.record(), found));
+    }
+    ordered_json list = ordered_json::array();
+    for (const app::ReadyPatch& patch : found.patches) {
+        const auto [x, y] = geometry::inner_place(patch.shape);
+        list.push_back({{"surface", patch.surface},
+                        {"unit", patch.proposed.empty() ? ordered_json(nullptr) : ordered_json(patch.proposed)},
+                        {"was", patch.was.empty() ? ordered_json(nullptr) : ordered_json(patch.was)},
+                        {"area_m2", patch.area},
+                        {"change_m", patch.change},
+                        {"x", x},
+                        {"y", y},
+                        {"because", patch.because}});
+        if (context.json) continue;
+        *context.out << fmt::format("{}  {:>7.2f} m²  {:+.2f} m  at {:.2f} {:.2f}  {}\n    {}\n", patch.surface,
+                                    patch.area, patch.change, x, y, patch.proposed.empty() ? "?" : patch.proposed,
+                                    patch.because);
+    }
+    if (context.json) return context.print({{"patches", list}, {"outside", found.outside}, {"notes", found.notes}});
+    if (found.patches.empty()) *context.out << "all ground that changed is outlined\n";
+    if (found.outside > 0) {
+        context.say(fmt::format("{} more outside all outlines: heaps, paths, or the trench grew", found.outside));
+    }
+    for (const std::string& note : found.notes) context.say(note);
+    if (!arguments.output.empty()) {
+        context.say(fmt::format("wrote {} patches to {}; after a look, planum region import takes them",
+                                found.patches.size(), arguments.output));
+    }
+}
+
 } // namespace
 
 void add_region_commands(CLI::App& root, Context& context) {
@@ -183,6 +225,21 @@ void add_region_commands(CLI::App& root, Context& context) {
         if (context.json) return context.print({{"region", points->region}, {"file", points->file}, {"points", count}});
         context.say(fmt::format("wrote {} points to {}", count, points->file));
     });
+    auto patches = std::make_shared<PatchArguments>();
+    CLI::App* ready = add_command(*group, context, "patches",
+                                  "ground that changed and is not outlined yet, each with the unit it may be");
+    ready->add_option("SURFACE", patches->query.surface, "default: the last of each area");
+    ready->add_flag("--all", patches->query.all, "all surfaces");
+    ready
+        ->add_option("--cell", patches->query.cell,
+                     "side of a cell in metres (default: 2, 4 or 8 cm, as dense as the scans are)")
+        ->check(CLI::Range(0.005, 1.0));
+    ready->add_option("--least-area", patches->query.least_area, "smaller patches are left out, square metres")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
+    ready->add_option("-o,--output", patches->output, "their outlines as GeoJSON, for planum region import");
+    ready->callback([&context, patches] { run_patches(context, *patches); });
+
     auto day = std::make_shared<std::string>();
     CLI::App* list = add_command(*group, context, "list", "all regions with area and heights");
     list->add_option("--day", *day, "of one day only");

@@ -53,6 +53,7 @@ holds check-show check dig/demo.gpkg --show "$clash" -o clash.png
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --dry-run
 holds region-import region import site.gpkg "$here/data/outlines.geojson" --create-units
 holds region-list region list site.gpkg
+holds region-patches region patches site.gpkg --all
 holds record-show region show site.gpkg 2025-06-01/1
 holds register register site.gpkg
 printf 'scan,marker,x,y,z\nsite,M1,0,0,0\nsite,M2,5,0,0\nsite,M3,0,5,0\n' >markers.csv
