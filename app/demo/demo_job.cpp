@@ -18,6 +18,7 @@
 #include "app/scans/panorama_file.hpp"
 #include "app/scans/take_over_scans.hpp"
 #include "core/base/file.hpp"
+#include "core/base/whole_progress.hpp"
 #include "strat/layout/svg_writer.hpp"
 
 namespace planum::app {
@@ -67,24 +68,47 @@ fs::path write_panorama_of(Project& project, const fs::path& folder, Progress& p
     return file;
 }
 
+/// When each part of the work is through, as a share of all of it; measured, to tell the time left.
+struct DemoShares {
+    double simulated = 0.06;
+    double written = 0.82;
+    double sheets = 0.825;
+    double scans_added = 0.97;
+    double registered = 0.97;
+    double checked = 0.985;
+};
+
+DemoShares shares_of(demo::DemoSize size) {
+    if (size == demo::DemoSize::Small) return {0.02, 0.06, 0.06, 0.08, 0.96, 0.98}; // registration takes most of it
+    return {};
+}
+
 } // namespace
 
 DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& options, const Session& session,
-                     const strat::TextMeasure& measure, Progress& progress) {
+                     const strat::TextMeasure& measure, Progress& outer) {
     DemoJob job;
+    WholeProgress progress(outer, "making the sample dig " + folder.filename().string());
+    const DemoShares shares = shares_of(options.size);
     {
+        progress.part(shares.simulated, 5);
         const demo::DemoDig dig = demo::simulate(options, progress);
+        progress.part(shares.written, 1 + dig.plan.surfaces * dig.site.stations);
         job.points = demo::write_demo(dig, folder, progress).points;
         job.scans = static_cast<std::size_t>(dig.plan.surfaces * dig.site.stations);
         job.mistakes = dig.mistakes.size();
     }
+    progress.part(shares.sheets, 6);
     progress.step("importing the sheets");
     job.project = folder / "demo.gpkg";
     Project project = project_of(job.project, folder / "record", options.method, session, progress);
     job.units = project.record().units.size();
+    progress.part(shares.scans_added);
     add_scans(project, day_folders(folder), {}, progress);
+    progress.part(shares.registered);
     import_markers(project, folder / "markers.csv", {});
     if (options.size <= demo::DemoSize::Small) job.registered = register_all(project, progress);
+    progress.part(shares.checked, 12);
     progress.step("taking the outlines in");
     job.regions = import_outlines_of(project, folder, progress);
     const DailyCheck check = check_project(project, {}, progress);
@@ -100,6 +124,7 @@ DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& opti
     job.errors_mistaken = found.count(model::Severity::Error);
     job.warnings_mistaken = found.count(model::Severity::Warning);
 
+    progress.part(1.0, 6);
     progress.step("drawing and reporting");
     job.drawings = {folder / "matrix.svg", folder / "report.html", folder / "report.xml"};
     DrawRequest request;

@@ -10,6 +10,7 @@
 
 #include "app/registration/scan_shelf.hpp"
 #include "core/base/text.hpp"
+#include "core/base/whole_progress.hpp"
 #include "scans/registration/coarse_alignment.hpp"
 #include "scans/registration/pair_selection.hpp"
 
@@ -42,9 +43,14 @@ struct Candidate {
     bool is_tried = false;
 };
 
+/// When each part is through, as a share of the time that all takes; measured on small digs.
+constexpr double kFeaturesFound = 0.05;
+constexpr double kMatched = 0.1;
+constexpr double kAligned = 0.97;
+
 class Chain {
   public:
-    Chain(const ChainInput& input, const RegisterOptions& options, Progress& progress)
+    Chain(const ChainInput& input, const RegisterOptions& options, WholeProgress& progress)
         : input_(input), options_(options), progress_(progress),
           shelf_(input.project, scans_of(input), fine_options_, progress) {
         result_.scans.resize(input.scans.size());
@@ -55,8 +61,10 @@ class Chain {
         if (options_.method != RegisterMethod::Markers) {
             if (options_.method != RegisterMethod::Icp) match_features();
             add_candidates_from_starts();
+            progress_.part(kAligned);
             link();
         }
+        progress_.part(1.0, 3);
         solve();
         explain();
         return std::move(result_);
@@ -94,8 +102,9 @@ class Chain {
     void match_features() {
         std::vector<std::size_t> all(input_.scans.size());
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+        progress_.part(kFeaturesFound);
         shelf_.make_features(all);
-        progress_.step("matching features");
+        progress_.part(kMatched);
         scans::CoarseOptions coarse;
         coarse.seed = options_.seed;
         for (std::size_t a = 0; a < all.size(); ++a) {
@@ -176,13 +185,15 @@ class Chain {
     }
 
     void try_all(const std::vector<scans::PairCandidate>& pairs) {
+        WholeProgress whole(progress_, fmt::format("aligning {} pairs of scans", pairs.size()));
         for (std::size_t i = 0; i < pairs.size(); ++i) {
+            whole.part(static_cast<double>(i + 1) / static_cast<double>(pairs.size()), 3);
             const auto it = std::find_if(candidates_.begin(), candidates_.end(),
                                          [&](const Candidate& c) { return c.pair == pairs[i]; });
             if (it->is_tried) continue;
             it->is_tried = true;
-            progress_.fraction(static_cast<double>(i) / static_cast<double>(pairs.size()));
-            result_.links.push_back(options_.method == RegisterMethod::Features ? coarse_link(*it) : fine_link(*it));
+            result_.links.push_back(options_.method == RegisterMethod::Features ? coarse_link(*it)
+                                                                                : fine_link(*it, whole));
         }
     }
 
@@ -201,12 +212,12 @@ class Chain {
         return link;
     }
 
-    ChainLink fine_link(const Candidate& candidate) {
+    ChainLink fine_link(const Candidate& candidate, Progress& progress) {
         ChainLink link = coarse_link(candidate);
         link.is_coarse = false;
-        const auto target = shelf_.prepared(link.target);
-        const auto source = shelf_.prepared(link.source);
-        scans::FineResult fine = scans::align_scans(*target, *source, candidate.start, fine_options_, progress_);
+        const auto target = shelf_.prepared(link.target, progress);
+        const auto source = shelf_.prepared(link.source, progress);
+        scans::FineResult fine = scans::align_scans(*target, *source, candidate.start, fine_options_, progress);
         link.is_used = fine.is_accepted;
         link.verdict = fine.verdict;
         link.rms = fine.rms;
@@ -331,7 +342,7 @@ class Chain {
 
     const ChainInput& input_;
     const RegisterOptions& options_;
-    Progress& progress_;
+    WholeProgress& progress_;
     scans::FineOptions fine_options_;
     ScanShelf shelf_;
     std::vector<Candidate> candidates_;
@@ -342,7 +353,8 @@ class Chain {
 } // namespace
 
 ChainResult run_chain(const ChainInput& input, const RegisterOptions& options, Progress& progress) {
-    return Chain(input, options, progress).run();
+    WholeProgress whole(progress, fmt::format("registering {} scans", input.scans.size()));
+    return Chain(input, options, whole).run();
 }
 
 } // namespace planum::app

@@ -83,7 +83,7 @@ void ScanShelf::make_features(const std::vector<std::size_t>& scans) {
     }
 }
 
-std::shared_ptr<const scans::PreparedScan> ScanShelf::prepared(std::size_t scan) {
+std::shared_ptr<const scans::PreparedScan> ScanShelf::prepared(std::size_t scan, Progress& progress) {
     const auto it = std::find_if(prepared_.begin(), prepared_.end(), [&](const auto& p) { return p.first == scan; });
     if (it != prepared_.end()) {
         auto found = *it;
@@ -91,8 +91,8 @@ std::shared_ptr<const scans::PreparedScan> ScanShelf::prepared(std::size_t scan)
         prepared_.push_front(found);
         return found.second;
     }
-    progress_.step(fmt::format("thinning {}", scans_[scan].name));
-    const auto store = open_store(project_, scans_[scan], progress_);
+    progress.step(fmt::format("thinning {}", scans_[scan].name));
+    const auto store = open_store(project_, scans_[scan], progress);
     auto made = std::make_shared<const scans::PreparedScan>(scans::prepare_scan(points_of(*store), fine_));
     prepared_.emplace_front(scan, made);
     if (prepared_.size() > kKept) prepared_.pop_back();

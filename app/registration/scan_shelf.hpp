@@ -30,7 +30,7 @@ class ScanShelf {
 
     [[nodiscard]] const scans::FeatureSet& features(std::size_t scan) const { return features_.at(scan); }
 
-    [[nodiscard]] std::shared_ptr<const scans::PreparedScan> prepared(std::size_t scan);
+    [[nodiscard]] std::shared_ptr<const scans::PreparedScan> prepared(std::size_t scan, Progress& progress);
 
   private:
     std::filesystem::path project_;

@@ -15,6 +15,7 @@
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/base/text.hpp"
+#include "core/base/whole_progress.hpp"
 #include "scans/cloud/store_builder.hpp"
 #include "scans/formats/scan_reader.hpp"
 
@@ -76,6 +77,40 @@ FoundFiles find_files(const std::vector<fs::path>& inputs) {
     }
 }
 
+/// Of the time that a scan takes, what goes into its hash and header; the rest into its points.
+constexpr double kLookingShare = 0.25;
+
+// How far the work is when so many bytes of all are through: first all files are looked into, then all are read.
+class Shares {
+  public:
+    explicit Shares(const std::vector<fs::path>& files) {
+        for (const fs::path& file : files) all_ += size_of(file);
+    }
+
+    [[nodiscard]] static double size_of(const fs::path& file) {
+        std::error_code unknown;
+        const std::uintmax_t bytes = fs::file_size(file, unknown);
+        return unknown ? 1.0 : static_cast<double>(bytes) + 1.0;
+    }
+
+    [[nodiscard]] double looked_into(double bytes) { return kLookingShare * (looked_ += bytes) / all_; }
+
+    // Files that are in the project already need no reading.
+    [[nodiscard]] double read(double bytes, double bytes_to_read) {
+        return kLookingShare + (1.0 - kLookingShare) * (read_ += bytes) / bytes_to_read;
+    }
+
+  private:
+    double all_ = 0.0;
+    double looked_ = 0.0;
+    double read_ = 0.0;
+};
+
+std::string name_of_work(const std::vector<fs::path>& files) {
+    return files.size() == 1 ? "adding " + files.front().filename().string()
+                             : fmt::format("adding {} scan files", files.size());
+}
+
 // What is to be added, before anything is made.
 struct Plan {
     struct File {
@@ -111,13 +146,13 @@ class Planner {
     }
 
     void add(const fs::path& path, Progress& progress) {
-        progress.step("looking into " + path.filename().string());
         progress.check();
         const std::string hash = sha256_of_file(path, progress);
         if (const auto there = by_content_.find({hash, 0}); there != by_content_.end()) {
             plan_.there_already.push_back({path.string(), there->second});
             return;
         }
+        progress.step("looking into " + path.filename().string());
         Plan::File file{path, scans::open_scan(path, {options_.columns}, progress), {}};
         const auto& clouds = file.reader->clouds();
         if (clouds.empty()) throw Error(ErrorCode::BadInput, path.string() + ": has no scan in it");
@@ -212,16 +247,15 @@ class MadeStores {
     fs::path folder_;
 };
 
-void make_stores(const Project& project, Plan& plan, MadeStores& made, Progress& progress) {
+void make_stores(const Project& project, Plan& plan, MadeStores& made, Shares& shares, WholeProgress& progress) {
     made.make_folder(scans_folder(project.path()));
-    std::size_t clouds = 0;
-    for (const Plan::File& file : plan.files) clouds += file.clouds.size();
-    std::size_t number = 0;
+    double bytes = 0.0;
+    for (const Plan::File& file : plan.files) bytes += Shares::size_of(file.path);
     for (Plan::File& file : plan.files) {
         for (AddedScan& added : file.clouds) {
             model::Scan& scan = added.scan;
-            const std::string place = clouds > 1 ? fmt::format(" ({} of {})", ++number, clouds) : "";
-            progress.step("reading " + scan.name + place);
+            const double part = Shares::size_of(file.path) / static_cast<double>(file.clouds.size());
+            progress.part(shares.read(part, bytes), 2); // reading, then sorting
             const fs::path store = store_path(project.path(), scan);
             const auto cloud = static_cast<std::size_t>(scan.cloud);
             const bool was_there = fs::exists(store);
@@ -267,13 +301,18 @@ AddScansReport add_scans(Project& project, const std::vector<fs::path>& inputs, 
     FoundFiles found = find_files(inputs);
     report.left_aside = std::move(found.left_aside);
     Planner planner(project, options);
-    for (const fs::path& file : found.files) planner.add(file, progress);
+    WholeProgress whole(progress, name_of_work(found.files));
+    Shares shares(found.files);
+    for (const fs::path& file : found.files) {
+        whole.part(shares.looked_into(Shares::size_of(file)), 2); // the hash, then the header
+        planner.add(file, whole);
+    }
     Plan plan = planner.take();
     report.there_already = std::move(plan.there_already);
     if (plan.files.empty()) return report;
 
     MadeStores made;
-    make_stores(project, plan, made, progress);
+    make_stores(project, plan, made, shares, whole);
     for (Plan::File& file : plan.files) {
         std::move(file.clouds.begin(), file.clouds.end(), std::back_inserter(report.added));
     }

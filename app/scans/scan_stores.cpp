@@ -54,9 +54,10 @@ void rebuild_store(const fs::path& project, const model::Scan& scan, Progress& p
                         scan.name, file.filename().string(), original.string()));
     }
     if (sha256_of_file(original, progress) != scan.sha256) {
-        throw Error(ErrorCode::BadInput,
-                    fmt::format("scan {}: {} is no longer the file that was added (its hash differs)", scan.name,
-                                original.string()));
+        throw Error(ErrorCode::BadInput, fmt::format("scan {}: {} is no longer the file that was added (its hash "
+                                                     "differs); put that back, or delete the scan "
+                                                     "and add the file as it is now",
+                                                     scan.name, original.string()));
     }
     progress.step("making the point store of " + scan.name + " again");
     const auto reader = scans::open_scan(original, {stated_columns(scan)}, progress);

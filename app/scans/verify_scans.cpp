@@ -11,6 +11,7 @@
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/base/text.hpp"
+#include "core/base/whole_progress.hpp"
 
 namespace planum::app {
 
@@ -24,7 +25,9 @@ std::string original_problem(const fs::path& original, const model::Scan& scan, 
         return "its original is not there: " + original.string() + "; put it back, its points could not be made again";
     }
     if (sha256_of_file(original, progress) != scan.sha256) {
-        return original.string() + " is no longer the file that was added (its hash differs)";
+        return original.string() + " is no longer the file that was added (its hash differs); put that back, or delete "
+                                   "the scan and add the file as it is "
+                                   "now";
     }
     return {};
 }
@@ -73,12 +76,16 @@ bool is_left_behind(const fs::path& file) {
 
 std::vector<ScanProblem> verify_scans(Project& project, Progress& progress) {
     std::vector<ScanProblem> problems;
-    for (const model::Scan& scan : project.record().scans) {
-        progress.step("checking scan " + scan.name);
-        progress.check();
-        const std::string original = original_problem(original_path(project.path(), scan), scan, progress);
-        std::string store = store_problem(store_path(project.path(), scan), progress);
-        if (!store.empty() && original.empty()) store += mend(project, scan, progress);
+    const std::vector<model::Scan>& scans = project.record().scans;
+    WholeProgress whole(progress, fmt::format("checking {} scans and their points", scans.size()));
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const model::Scan& scan = scans[i];
+        whole.part(static_cast<double>(i + 1) / static_cast<double>(scans.size()), 2); // the original, then the store
+        whole.check();
+        const std::string original = original_problem(original_path(project.path(), scan), scan, whole);
+        whole.step("points");
+        std::string store = store_problem(store_path(project.path(), scan), whole);
+        if (!store.empty() && original.empty()) store += mend(project, scan, whole);
         for (const std::string& what : {original, store}) {
             if (!what.empty()) problems.push_back({"scan " + scan.name, what});
         }

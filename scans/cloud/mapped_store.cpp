@@ -185,8 +185,9 @@ NodeView PointStore::State::view(std::uint32_t node) const {
         if (!is_sound(node)) {
             throw Error(
                 ErrorCode::BadInput,
-                fmt::format("{}: block {} with {} points is damaged; make the store anew from the original scan",
-                            file.string(), node, n.points));
+                fmt::format(
+                    "{}: block {} with {} points is damaged; planum verify makes it again from the original scan",
+                    file.string(), node, n.points));
         }
         checked[node].store(1, std::memory_order_relaxed);
     }
