@@ -24,6 +24,7 @@ struct Sum {
     std::size_t false_contradictions = 0;
     std::size_t visible_mistakes = 0;
     std::size_t found_mistakes = 0;
+    std::size_t hidden_mistakes = 0;
     double first = 0.0;
     double again = 0.0;
 
@@ -32,6 +33,7 @@ struct Sum {
         false_contradictions += dig.false_contradictions.size();
         visible_mistakes += dig.visible_mistakes;
         found_mistakes += dig.found_mistakes;
+        hidden_mistakes += dig.hidden_mistakes.size();
         first += dig.first_seconds;
         again += dig.again_seconds;
     }
@@ -39,10 +41,11 @@ struct Sum {
 
 void print_sum(const std::string& name, const Sum& sum) {
     sum.tally.print(name);
-    fmt::print("{:<24} height contradictions of true records {}; visible mistakes found {} of {}; evidence {:.1f} s, "
+    fmt::print("{:<24} height contradictions of true records {}; mistakes that surfaces can show found {} of {} ({} "
+               "they cannot); evidence {:.1f} s, "
                "again {:.2f} s a dig\n",
-               "", sum.false_contradictions, sum.found_mistakes, sum.visible_mistakes, sum.first / sum.tally.digs,
-               sum.again / sum.tally.digs);
+               "", sum.false_contradictions, sum.found_mistakes, sum.visible_mistakes, sum.hidden_mistakes,
+               sum.first / sum.tally.digs, sum.again / sum.tally.digs);
     std::fflush(stdout);
 }
 
@@ -69,6 +72,9 @@ int run(const std::vector<std::string>& arguments) {
             print_sum(name, one);
             fmt::print("{:<24} {} of {} scans placed in {:.1f} s\n", "", dig.placed, dig.scans, dig.register_seconds);
             for (const std::string& message : dig.false_contradictions) fmt::print("    false: {}\n", message);
+            if (loud) {
+                for (const std::string& hidden : dig.hidden_mistakes) fmt::print("    not to be seen: {}\n", hidden);
+            }
             for (const std::string& missed : dig.missed_mistakes) fmt::print("    missed: {}\n", missed);
             sums[dug].add(dig);
         }

@@ -90,7 +90,7 @@ class Gatherer {
 
     [[nodiscard]] bool is_of_pair(std::size_t cell) const {
         return made_.before.unit[cell] == made_.upper && made_.after.unit[cell] == made_.lower &&
-               made_.before.near_outline[cell] == 0 && made_.after.near_outline[cell] == 0;
+               scans::is_clear_of_outlines(made_.before, made_.after, cell);
     }
 
     void mark_clash(float tolerance) {

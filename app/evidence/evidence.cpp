@@ -32,7 +32,7 @@ constexpr std::array kCells = {0.02, 0.04, 0.08}; // the first that scans are de
 constexpr double kDense = 1.5;                    // points a cell
 constexpr double kFar = 100.0;                    // from all set-ups of the scanner [m]
 constexpr double kSpare = 0.1;                    // around all outlines [m]
-constexpr std::string_view kVersion = "planum evidence 1\n";
+constexpr std::string_view kVersion = "planum evidence 2\n";
 
 // What the labels of a surface are made from; units by id, so that a new unit in the list moves nothing.
 std::string text_of(const model::Region& region) {

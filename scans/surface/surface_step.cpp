@@ -16,6 +16,7 @@ namespace {
 using Pair = std::pair<UnitNumber, UnitNumber>;
 
 constexpr double k95 = 1.96;
+constexpr double kLeastSigma = 0.001; // of an outline [m]
 // Edges of cells are longer than the line they follow: 4/π on the average of all directions.
 constexpr double kStairs = 0.7853981633974483;
 
@@ -43,7 +44,7 @@ bool is_level(model::RegionShows shows) {
 
 void count(Tally& tally, const LabelledSurface& upper, const LabelledSurface& lower, std::size_t at, double project) {
     ++tally.sum.cells;
-    if (upper.near_outline[at] != 0 || lower.near_outline[at] != 0) return;
+    if (!is_clear_of_outlines(upper, lower, at)) return;
     const double variance = static_cast<double>(upper.variance[at]) + static_cast<double>(lower.variance[at]) +
                             static_cast<double>(upper.common_variance[at]) +
                             static_cast<double>(lower.common_variance[at]);
@@ -182,6 +183,14 @@ class EdgeFollower {
 
 } // namespace
 
+bool is_clear_of_outlines(const LabelledSurface& upper, const LabelledSurface& lower, std::size_t cell) noexcept {
+    constexpr float kEach = 1.0F;
+    constexpr float kTogether = 4.05F; // not the last cells that lines 4σ apart could have between them
+    const float above = upper.from_outline[cell];
+    const float below = lower.from_outline[cell];
+    return std::min(above, below) >= kEach && above + below >= kTogether;
+}
+
 LabelledSurface label_surface(const SurfaceGrid& grid, const LabelGrid& labels, std::span<const model::Region> regions,
                               std::span<const UnitNumber> units, const HeightTolerance& tolerance) {
     require_same_cells(grid.frame, labels.frame);
@@ -190,7 +199,7 @@ LabelledSurface label_surface(const SurfaceGrid& grid, const LabelGrid& labels, 
     surface.frame = grid.frame;
     surface.unit.assign(n, static_cast<std::int16_t>(kNobody));
     surface.shows.assign(n, model::RegionShows::Nothing);
-    surface.near_outline.assign(n, 0);
+    surface.from_outline.assign(n, 0.0F);
     surface.height = grid.height;
     surface.variance.assign(n, 0.0F);
     surface.common_variance.assign(n, 0.0F);
@@ -204,7 +213,7 @@ LabelledSurface label_surface(const SurfaceGrid& grid, const LabelGrid& labels, 
         if (drawn.shows == model::RegionShows::Nothing || drawn.shows == model::RegionShows::Face) continue;
         surface.unit[i] = static_cast<std::int16_t>(units[static_cast<std::size_t>(region)]);
         surface.shows[i] = drawn.shows;
-        surface.near_outline[i] = static_cast<double>(labels.outline_distance[i]) < 2.0 * drawn.sigma ? 1 : 0;
+        surface.from_outline[i] = labels.outline_distance[i] / static_cast<float>(std::max(drawn.sigma, kLeastSigma));
         const double spread = std::max(static_cast<double>(grid.spread[i]), tolerance.sensor_sigma);
         const double points = std::max<double>(1.0, grid.count[i]);
         const double slope = std::isnan(grid.slope[i]) ? 0.0 : static_cast<double>(grid.slope[i]);

@@ -30,12 +30,12 @@ struct KnownUnit {
 /// One surface ready to be compared: heights and whose they are. Vectors have frame.cells() values.
 struct LabelledSurface {
     GridFrame frame;
-    std::vector<std::int16_t> unit;         ///< UnitNumber; kNobody: not labelled, no unit, or not seen
-    std::vector<model::RegionShows> shows;  ///< of the region there
-    std::vector<std::uint8_t> near_outline; ///< 1: within 2σ of an outline
-    std::vector<float> height;              ///< [m, site]; NaN where not seen
-    std::vector<float> variance;            ///< of the height, from spread, noise and outline σ on the slope [m²]
-    std::vector<float> common_variance;     ///< from the registration; shared by neighbours [m²]
+    std::vector<std::int16_t> unit;        ///< UnitNumber; kNobody: not labelled, no unit, or not seen
+    std::vector<model::RegionShows> shows; ///< of the region there
+    std::vector<float> from_outline;       ///< to the nearest outline, in σ of the region there; at most 0.3 m
+    std::vector<float> height;             ///< [m, site]; NaN where not seen
+    std::vector<float> variance;           ///< of the height, from spread, noise and outline σ on the slope [m²]
+    std::vector<float> common_variance;    ///< from the registration; shared by neighbours [m²]
 };
 
 struct HeightTolerance {
@@ -48,6 +48,12 @@ struct HeightTolerance {
 [[nodiscard]] LabelledSurface label_surface(const SurfaceGrid& grid, const LabelGrid& labels,
                                             std::span<const model::Region> regions, std::span<const UnitNumber> units,
                                             const HeightTolerance& tolerance);
+
+/// Whether a cell has both its units for sure: it lies 1σ and more from every outline, and 4σ from those of both
+/// surfaces together. A line drawn astray makes a strip of one unit over the other where none was; each cell of it lies
+/// no farther from the two lines together than the lines do from each other.
+[[nodiscard]] bool is_clear_of_outlines(const LabelledSurface& upper, const LabelledSurface& lower,
+                                        std::size_t cell) noexcept;
 
 /// A unit on one surface.
 struct Showing {

@@ -2,6 +2,7 @@
 #include "tests/support/evidence_dig.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <map>
 
@@ -15,6 +16,7 @@
 #include "app/scans/add_scans.hpp"
 #include "app/scans/days_surface.hpp"
 #include "scans/surface/questions.hpp"
+#include "tests/support/shown_by_surfaces.hpp"
 
 namespace planum::test {
 
@@ -120,10 +122,30 @@ std::vector<model::SurfaceEvidence> carried_over(const std::vector<model::Surfac
     return carried;
 }
 
+std::string why_hidden(const app::demo::DemoDig& dig, const app::demo::Mistake& mistake) {
+    const std::string first = mistake.is.substr(0, mistake.is.find(' '));
+    const std::string last = mistake.is.substr(mistake.is.rfind(' ') + 1);
+    for (const app::demo::Mistake& other : dig.mistakes) {
+        if (other.kind == "number-used-twice" && (other.was == first || other.was == last))
+            return "another mistake took the number " + other.was + " from the record";
+    }
+    std::array<app::demo::UnitNo, 2> units{};
+    for (std::size_t u = 0; u < dig.formation.units().size(); ++u) {
+        if (dig.formation.units()[u].number == first) units[0] = static_cast<app::demo::UnitNo>(u);
+        if (dig.formation.units()[u].number == last) units[1] = static_cast<app::demo::UnitNo>(u);
+    }
+    return why_not_shown(dig, std::max(units[0], units[1]), std::min(units[0], units[1]));
+}
+
 void look_for_mistakes(EvidenceDig& result, const app::demo::DemoDig& dig, const app::DailyCheck& check,
                        app::Project& mistaken) {
     for (const app::demo::Mistake& mistake : dig.mistakes) {
         if (mistake.kind != "reversed-relation" || !mistake.visible) continue;
+        const std::string why = why_hidden(dig, mistake);
+        if (!why.empty()) {
+            result.hidden_mistakes.push_back(mistake.is + ": " + why);
+            continue;
+        }
         ++result.visible_mistakes;
         const bool found = std::any_of(check.problems.begin(), check.problems.end(), [&](const model::Diagnostic& d) {
             return d.code == "height-contradiction" &&

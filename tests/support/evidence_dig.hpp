@@ -19,7 +19,8 @@ struct EvidenceDig {
     std::size_t surfaces = 0;
     EvidenceTally tally;
     std::vector<std::string> false_contradictions; ///< height-contradictions of the true record, as messages
-    std::size_t visible_mistakes = 0;              ///< relations put the wrong way round that surfaces show
+    std::size_t visible_mistakes = 0;              ///< relations put the wrong way round that surfaces can show
+    std::vector<std::string> hidden_mistakes;      ///< that they cannot, with why not, by why_not_shown()
     std::size_t found_mistakes = 0;                ///< of these named by a height-contradiction
     std::vector<std::string> missed_mistakes;
     double register_seconds = 0.0;
