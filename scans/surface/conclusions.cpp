@@ -311,7 +311,10 @@ class Step {
                 if (gone && !was_there) return begin(s, Ground::ReplacedWhole, RelationKind::Later);
                 return std::nullopt;
             }
-            if (was_there && flat && !then_inside) return direct(s, Ground::FlatContact);
+            // What grew out of the middle of a layer may be a pit, but no pit takes the whole layer along a flat
+            // contact.
+            const bool took_all = gone && share_of_succession(s) >= kMostOfReplaced;
+            if (was_there && flat && (!then_inside || took_all)) return direct(s, Ground::FlatContact);
             if (!was_there && (gone || !then_inside) && share_of_succession(s) >= kPartReplaced) {
                 if (share_of_succession(s) >= kMostOfReplaced) return direct(s, Ground::ReplacedWhole);
                 return begin(s, Ground::ReplacedWhole, RelationKind::Later);

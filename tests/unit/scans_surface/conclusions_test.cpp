@@ -26,3 +26,47 @@ TEST_CASE("Small digs: nothing is proposed the wrong way round, whatever the met
         }
     }
 }
+
+namespace {
+
+// On levels, layer 1 lay bare inside layer 0; then it came out under 27 m² of it, of which so many cells are left.
+std::vector<scans::Conclusion> spot_that_grew(std::int64_t left) {
+    scans::AreaHistory history;
+    history.methods = {model::DigMethod::Planum, model::DigMethod::Planum};
+    scans::SurfaceSummary upper;
+    upper.showings = {{0, 70000, 70000, 0, 0, 10.0, 24.0, 12.0}, {1, 600, 600, 0, 0, 9.99, 2.0, 0.0}};
+    upper.edges = {{0, 1, 2.0}}; // the rest of 0 lies against units that stay
+    scans::SurfaceSummary lower;
+    if (left > 0) lower.showings.push_back({0, left, left, 0, 0, 9.8, 8.0, 6.0});
+    lower.showings.push_back({1, 70600 - left, 70600 - left, 0, 0, 9.78, 22.0, 22.0});
+    history.summaries = {upper, lower};
+    scans::SurfaceStep step;
+    scans::Succession grown;
+    grown.first = 0;
+    grown.then = 1;
+    grown.cells = grown.lower = grown.level = 70000 - left;
+    grown.drop = 0.22;
+    grown.tolerance = 0.02;
+    step.successions = {grown};
+    step.edges = {{0, 1, 2.0, 1.8, 1.8, 0.0, 0.22}};
+    history.steps = {step};
+    history.hides_somewhere = {false};
+    const scans::KnownUnit layer{{}, model::UnitKind::Deposit, model::UnitForm::Layer};
+    return scans::conclude(history, std::vector{layer, layer});
+}
+
+} // namespace
+
+TEST_CASE("On levels a layer that came out inside another is covered by it once nothing of the other is left") {
+    const auto whole = spot_that_grew(0);
+    REQUIRE(whole.size() == 1);
+    CHECK_FALSE(whole[0].is_question);
+    CHECK(whole[0].unit == 0);
+    CHECK(whole[0].kind == model::RelationKind::Covers);
+}
+
+TEST_CASE("On levels a spot that grows inside what is still there may be a pit that was undercut, and is asked") {
+    const auto part = spot_that_grew(30000);
+    REQUIRE(part.size() == 1);
+    CHECK(part[0].is_question);
+}
