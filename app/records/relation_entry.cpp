@@ -14,30 +14,62 @@ namespace planum::app {
 
 using model::StatementSide;
 
-SaidRelation parse_relation(Project& project, std::string_view sentence) {
-    std::vector<std::string> words;
-    for (const std::string_view word : text::split(text::trim(sentence), ' ')) {
-        if (!word.empty()) words.emplace_back(word);
+namespace {
+
+struct Parts {
+    std::string_view first;
+    std::string_view kind;
+    std::string_view last;
+};
+
+std::vector<std::string_view> words_of(std::string_view sentence) {
+    std::vector<std::string_view> words;
+    for (const std::string_view word : text::split(sentence, ' ')) {
+        if (!word.empty()) words.push_back(word);
     }
+    return words;
+}
+
+// The text between two words of one sentence, both included, with whatever blanks are inside.
+std::string_view from_to(std::string_view first, std::string_view last) {
+    return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
+}
+
+// Names of units may hold blanks (`eastern wall of 12`): of all divisions into name, relation and name the first
+// whose three parts are all known; else the one with names of one word, for what is said about it.
+Parts parts_of(Project& project, const std::vector<std::string_view>& words) {
+    const std::size_t n = words.size();
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        const std::string_view first = from_to(words.front(), words[i - 1]);
+        if (project.index().named(first).empty()) continue;
+        for (std::size_t j = i + 1; j < n; ++j) {
+            const std::string_view kind = from_to(words[i], words[j - 1]);
+            const std::string_view last = from_to(words[j], words.back());
+            if (model::relation_from_any_word(kind) && !project.index().named(last).empty()) return {first, kind, last};
+        }
+    }
+    return {words.front(), from_to(words[1], words[n - 2]), words.back()};
+}
+
+} // namespace
+
+SaidRelation parse_relation(Project& project, std::string_view sentence) {
+    const std::vector<std::string_view> words = words_of(text::trim(sentence));
     if (words.size() < 3) {
         throw Error(ErrorCode::Usage,
                     fmt::format("a relation is UNIT RELATION UNIT, as in 1042 cuts 1017, not {}", sentence));
     }
-    const std::string first = words.front();
-    const std::string last = words.back();
-    words.erase(words.begin());
-    words.pop_back();
-    const std::string said_kind = text::join(words, " ");
-    const auto meaning = model::relation_from_any_word(said_kind);
+    const Parts parts = parts_of(project, words);
+    const auto meaning = model::relation_from_any_word(parts.kind);
     if (!meaning) {
         throw Error(
             ErrorCode::BadInput,
             fmt::format("{} is no relation; known are covers, cuts, fills, abuts (and covered by, …), bonds_with, "
                         "same_as, borders, later, earlier, contemporary, in English, German, Italian and French",
-                        said_kind));
+                        parts.kind));
     }
-    const model::UnitIndex a = project.unit_named(first);
-    return said_relation(project.record(), a, *meaning, project.unit_named(last));
+    const model::UnitIndex a = project.unit_named(parts.first);
+    return said_relation(project.record(), a, *meaning, project.unit_named(parts.last));
 }
 
 SaidRelation said_relation(const model::Record& record, model::UnitIndex a, model::DirectedKind kind,

@@ -19,8 +19,8 @@ struct SaidRelation {
     model::StatementSide side = model::StatementSide::Subject;
 };
 
-/// Reads `UNIT RELATION UNIT` (`1042 cut by 1017`, `12 liegt über 14`). Throws Usage when it is not of that
-/// form, BadInput for an unknown word (with those that are known), NotFound for a unit.
+/// Reads `UNIT RELATION UNIT` (`1042 cut by 1017`, `12 liegt über 14`); names may hold blanks. Throws Usage when it is
+/// not of that form, BadInput for an unknown word (with those that are known), NotFound for a unit.
 [[nodiscard]] SaidRelation parse_relation(Project& project, std::string_view sentence);
 
 struct RelationEntry {
