@@ -211,7 +211,7 @@ TEST_CASE("A damaged block is found by verify, named on reading, and mended by m
     CHECK(damaged[0].at == at);
     CHECK_NOTHROW(store.read_node(1));
     CHECK_THROWS_WITH(store.read_node(2),
-                      Catch::Contains("a.pts") && Catch::Contains("block 2") && Catch::Contains("anew"));
+                      Catch::Contains("a.pts") && Catch::Contains("block 2") && Catch::Contains("makes it again"));
     store_cloud(cloud, folder / "a.pts");
     CHECK(PointStore::open(folder / "a.pts").verify(Progress::none()).empty());
 }
