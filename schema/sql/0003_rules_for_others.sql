@@ -87,13 +87,6 @@ CREATE TRIGGER scan_days_changed BEFORE UPDATE OF day ON scan WHEN (SELECT chang
   SELECT RAISE(ABORT, 'day: a day is written YYYY-MM-DD') WHERE NEW.day <> '' AND date(NEW.day, '+0 days') IS NOT NEW.day;
 END;
 
-CREATE TRIGGER region_days_inserted BEFORE INSERT ON region WHEN (SELECT change FROM planum_context) IS NULL BEGIN
-  SELECT RAISE(ABORT, 'drawn_on: a day is written YYYY-MM-DD') WHERE NEW.drawn_on <> '' AND date(NEW.drawn_on, '+0 days') IS NOT NEW.drawn_on;
-END;
-CREATE TRIGGER region_days_changed BEFORE UPDATE OF drawn_on ON region WHEN (SELECT change FROM planum_context) IS NULL BEGIN
-  SELECT RAISE(ABORT, 'drawn_on: a day is written YYYY-MM-DD') WHERE NEW.drawn_on <> '' AND date(NEW.drawn_on, '+0 days') IS NOT NEW.drawn_on;
-END;
-
 -- The layers of points hold points with height, as gpkg_geometry_columns says: a header without envelope, then the
 -- type in either byte order.
 CREATE TRIGGER level_place_inserted BEFORE INSERT ON level WHEN NEW.geom IS NOT NULL AND (SELECT change FROM planum_context) IS NULL BEGIN

@@ -68,7 +68,7 @@ def main(path):
     unit_id = next(iter(unit))["uuid"]
     step("insert unit", lambda: add(unit, number="900", kind="cut"))
     step("insert unit without kind", lambda: add(unit, number="901"))
-    step("insert region", lambda: add(region, unit=unit_id, wkt="MULTIPOLYGON Z (((0 0 1, 1 0 1, 1 1 1, 0 0 1)))"))
+    step("insert region", lambda: add(region, unit=unit_id, drawn_on="plan", wkt="MULTIPOLYGON Z (((0 0 1, 1 0 1, 1 1 1, 0 0 1)))"))
     step("insert level", lambda: add(level, unit=unit_id, z=101.5, wkt="POINT Z (1 2 101.5)"))
     step("change", lambda: change(unit, "number = '900'", title="ditch"))
     step("bad kind", lambda: add(unit, number="902", kind="hole"))
