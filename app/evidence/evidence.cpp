@@ -28,10 +28,8 @@ namespace planum::app {
 
 namespace {
 
-constexpr std::array kCells = {0.02, 0.04, 0.08}; // the first that scans are dense enough for [m]
-constexpr double kDense = 1.5;                    // points a cell
-constexpr double kFar = 100.0;                    // from all set-ups of the scanner [m]
-constexpr double kSpare = 0.1;                    // around all outlines [m]
+constexpr double kFar = 100.0; // from all set-ups of the scanner [m]
+constexpr double kSpare = 0.1; // around all outlines [m]
 constexpr std::string_view kVersion = "planum evidence 2\n";
 
 // What the labels of a surface are made from; units by id, so that a new unit in the list moves nothing.
@@ -69,14 +67,14 @@ class AreaWork {
     AreaEvidence gather() {
         const geometry::Extent extent = extent_of_outlines();
         if (extent.is_empty()) return std::move(evidence_);
-        for (const double cell : kCells) {
+        for (const double cell : kComparedCells) {
             // On whole metres, so that an outline redrawn a little wider leaves all heights as they are.
             frame_ = scans::frame_around({std::floor(extent.low[0] - kSpare), std::floor(extent.low[1] - kSpare),
                                           std::ceil(extent.high[0] + kSpare), std::ceil(extent.high[1] + kSpare)},
                                          cell);
             labelled_.clear();
             make_keys();
-            if (cell == kCells.back() || usual_density() >= kDense) break;
+            if (cell == kComparedCells.back() || usual_density() >= kDensePoints) break;
         }
         evidence_.frame = frame_;
         for (std::size_t i = 0; i < surfaces_.size(); ++i) {

@@ -2,7 +2,6 @@
 #include "app/regions/ready_patches.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -209,12 +208,10 @@ Compared compare(Project& project, const std::vector<const model::Surface*>& ear
 // On the smallest cells that the scans fill.
 Compared compare_densely(Project& project, const std::vector<const model::Surface*>& earlier,
                          const model::Surface& last, const model::Surface& surface, Progress& progress) {
-    constexpr std::array kCells = {0.02, 0.04, 0.08}; // [m]
-    constexpr double kDense = 1.5;                    // points a cell
     Compared compared;
-    for (const double cell : kCells) {
+    for (const double cell : kComparedCells) {
         compared = compare(project, earlier, last, surface, cell, progress);
-        if (density(compared.after.grid, compared.outlined, compared.difference.frame) >= kDense) break;
+        if (density(compared.after.grid, compared.outlined, compared.difference.frame) >= kDensePoints) break;
     }
     return compared;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,10 @@
 #include "scans/surface/surface_builder.hpp"
 
 namespace planum::app {
+
+/// Cells on which surfaces are compared: the first that the scans fill with kDensePoints a cell, else the last [m].
+inline constexpr std::array kComparedCells = {0.02, 0.04, 0.08};
+inline constexpr double kDensePoints = 1.5;
 
 /// A surface of the record with the heights that its scans give.
 struct RecordedSurface {
