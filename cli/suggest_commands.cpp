@@ -154,7 +154,7 @@ void decide(const Context& context, const Options& options) {
 
 void run(const Context& context, const Options& options) {
     if (!options.accept.empty() || !options.reject.empty() || !options.into.empty()) return decide(context, options);
-    if (!options.day.empty() && !app::is_day(options.day))
+    if (!options.day.empty() && !is_day(options.day))
         throw Error(ErrorCode::Usage, fmt::format("“{}” is no day; write it as 2025-06-01", options.day));
     app::Project project = context.open(OpenMode::ReadOnly);
     app::SuggestionList list = app::list_suggestions(project, *context.progress);

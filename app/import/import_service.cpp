@@ -2,8 +2,10 @@
 #include "app/import/import_service.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <set>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -233,7 +235,9 @@ ImportReport import_files(Project& project, const std::vector<std::filesystem::p
     for (const Given& file : expand(files)) {
         progress.check();
         progress.step("reading " + file.path.filename().string());
-        if (file.found && std::filesystem::file_size(file.path) > strat::kMaxRecordFile) {
+        std::error_code gone; // meanwhile: reading says it
+        const std::uintmax_t size = file.found ? std::filesystem::file_size(file.path, gone) : 0;
+        if (!gone && size > strat::kMaxRecordFile) {
             left_behind.push_back({file.path.filename().string(),
                                    0,
                                    "left-out",

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "app/project/project.hpp"
+#include "core/base/calendar.hpp"
 #include "core/model/place.hpp"
 
 namespace planum::app {
-
-/// Whether the text is a day of the calendar as `2025-06-01`.
-[[nodiscard]] bool is_day(std::string_view text) noexcept;
 
 /// Throws Usage, naming the option, when the text is no day of the calendar.
 void require_day(std::string_view option, std::string_view text);

@@ -2,10 +2,10 @@
 #include "scans/formats/scan_reader.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include <fmt/format.h>
 
+#include "core/base/calendar.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
@@ -16,22 +16,6 @@ namespace planum::scans {
 namespace {
 
 constexpr std::uint64_t kLargestPoseFile = 65536;
-
-bool is_date(std::string_view s) noexcept {
-    if (s.size() < 10 || s[4] != '-' || s[7] != '-') return false;
-    for (const std::size_t i : {0U, 1U, 2U, 3U, 5U, 6U, 8U, 9U}) {
-        if (s[i] < '0' || s[i] > '9') return false;
-    }
-    const auto number = [&](std::size_t at, std::size_t count) {
-        int value = 0;
-        for (std::size_t i = at; i < at + count; ++i) value = value * 10 + (s[i] - '0');
-        return value;
-    };
-    return std::chrono::year_month_day(std::chrono::year(number(0, 4)),
-                                       std::chrono::month(static_cast<unsigned>(number(5, 2))),
-                                       std::chrono::day(static_cast<unsigned>(number(8, 2))))
-        .ok(); // a day of the calendar, not 30 February
-}
 
 std::optional<std::string> read_pose_beside(const std::filesystem::path& file) {
     std::filesystem::path pose = file;
@@ -154,7 +138,7 @@ std::optional<std::string> day_of_folder(const std::filesystem::path& file) {
         const std::string name = folder.filename().string();
         const bool ends =
             name.size() == 10 || (name.size() > 10 && (name[10] == ' ' || name[10] == '_' || name[10] == '-'));
-        if (ends && is_date(name)) return name.substr(0, 10);
+        if (ends && is_day(std::string_view(name).substr(0, 10))) return name.substr(0, 10);
     }
     return std::nullopt;
 }

@@ -170,7 +170,7 @@ EvidenceDig evidence_of_dig(const fs::path& folder, const app::demo::SimulationO
     app::demo::write_demo(dig, folder, Progress::none());
     app::Project project = project_of(folder / "dig.gpkg", folder / "record", options.method);
     std::vector<fs::path> days = entries_of(folder);
-    std::erase_if(days, [](const fs::path& path) { return !app::is_day(path.filename().string()); });
+    std::erase_if(days, [](const fs::path& path) { return !is_day(path.filename().string()); });
     app::add_scans(project, days, {}, Progress::none());
     app::import_markers(project, folder / "markers.csv", {});
     EvidenceDig result;

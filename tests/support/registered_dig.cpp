@@ -79,7 +79,7 @@ fs::path markers_of_one(const fs::path& folder, const std::string& scan) {
 std::vector<fs::path> day_folders(const fs::path& folder) {
     std::vector<fs::path> days;
     for (const auto& entry : fs::directory_iterator(folder)) {
-        if (entry.is_directory() && app::is_day(entry.path().filename().string())) days.push_back(entry.path());
+        if (entry.is_directory() && is_day(entry.path().filename().string())) days.push_back(entry.path());
     }
     return days;
 }
