@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "paint/drawing_png.hpp"
 
-#include <QBuffer>
-#include <QImage>
-#include <QPainter>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +8,7 @@
 
 #include "core/base/error.hpp"
 #include "paint/drawing_painter.hpp"
+#include "paint/paper.hpp"
 #include "paint/qt_runtime.hpp"
 
 namespace planum::paint {
@@ -33,22 +30,8 @@ std::string render_png(const strat::MatrixDrawing& drawing, const PngOptions& op
             fmt::format("a picture of {:.0f} × {:.0f} pixels is too large; use at most {:.0f} dpi, or SVG or PDF",
                         width, height, std::floor(options.dpi * shrink)));
     }
-    QImage image(static_cast<int>(width), static_cast<int>(height), QImage::Format_RGB32);
-    if (image.isNull())
-        throw Error(ErrorCode::Io, fmt::format("no memory for a picture of {:.0f} × {:.0f} pixels", width, height));
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    painter.scale(scale, scale);
-    paint_drawing(painter, drawing);
-    painter.end();
-    constexpr double kInchesPerMetre = 1.0 / 0.0254;
-    image.setDotsPerMeterX(static_cast<int>(std::lround(options.dpi * kInchesPerMetre)));
-    image.setDotsPerMeterY(image.dotsPerMeterX());
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (!image.save(&buffer, "PNG")) throw Error(ErrorCode::Internal, "the picture could not be encoded as PNG");
-    return bytes.toStdString();
+    return png_page(drawing.width, drawing.height, options.dpi,
+                    [&](QPainter& painter) { paint_drawing(painter, drawing); });
 }
 
 } // namespace planum::paint
