@@ -151,7 +151,7 @@ class EdgeWalk {
         return to;
     }
 
-    geometry::Line3 walk(const Corner& start) {
+    geometry::Line3 walk(Corner start) { // by value: the first step takes its edge out of the map
         geometry::Line3 ring;
         Corner before = start;
         Corner at = start;
