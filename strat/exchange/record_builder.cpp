@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t kMaxNotes = 20'000; // more than that says no more than that
 constexpr std::size_t kMaxRawText = 200;
-constexpr std::size_t kMaxName = 200;
 constexpr std::size_t kMaxUnits = 500'000; // the largest excavations have a tenth of that
 constexpr std::size_t kMaxRelations = 4'000'000;
 constexpr std::size_t kGlimpse = 1U << 16U;
@@ -38,7 +37,7 @@ UnitName RecordBuilder::name(std::string_view text) const {
 
 UnitName RecordBuilder::name(std::string_view area, std::string_view number) const {
     const std::string_view own = text::trim(area);
-    return {own.empty() ? area_ : shortened(own, kMaxName), shortened(text::trim(number), kMaxName)};
+    return {own.empty() ? area_ : std::string{own}, std::string{text::trim(number)}};
 }
 
 std::string RecordBuilder::key(const UnitName& name) { return name.area + '\0' + name.number; }

@@ -31,7 +31,8 @@ class RecordBuilder {
     ImportedRecord record;
     std::vector<ReadNote> notes;
 
-    /// Trims; `AREA::NUMBER` is taken apart; without an area of its own it gets that of the options.
+    /// Trims; `AREA::NUMBER` is taken apart; without an area of its own it gets that of the options. Names stay whole
+    /// however long they are: two that differ only at their ends are two units.
     [[nodiscard]] UnitName name(std::string_view text) const;
     [[nodiscard]] UnitName name(std::string_view area, std::string_view number) const;
 

@@ -54,6 +54,14 @@ TEST_CASE("Our tables are read together in any order and with any delimiter") {
                          "units.csv:5 unknown-type", "units.csv:5 unparsed"});
 }
 
+TEST_CASE("Long names that differ only at their ends are different units") {
+    const std::string a(300, 'a');
+    const std::string b = std::string(250, 'a') + "b";
+    const auto read = test::read_all({{"r.csv", "unit,relation,other\n1,covers," + a + "\n2,covers," + b + "\n"}});
+    CHECK(test::relations_of(read.values) == Texts{"1 covers " + a, "2 covers " + b});
+    CHECK(read.diagnostics.empty());
+}
+
 TEST_CASE("A unit whose number has a comma is one unit, an unknown text with a comma is a list") {
     const auto read = test::read_all({{"r.csv", "unit,relation,other\n1,covers,\"2, 3\"\n1,covers,\"4, 5\"\n"},
                                       {"u.csv", "unit,title\n1,a\n\"4, 5\",b\n"}});
