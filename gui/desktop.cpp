@@ -50,6 +50,9 @@ Arguments read_arguments(const QStringList& given) {
                                     QStringLiteral("File of the picture (PNG)."), QStringLiteral("FILE"));
     const QCommandLineOption unit(QStringLiteral("unit"), QStringLiteral("Select this unit first."),
                                   QStringLiteral("NUMBER"));
+    const QCommandLineOption problem(QStringLiteral("problem"),
+                                     QStringLiteral("Open the first problem of this kind (problems only)."),
+                                     QStringLiteral("CODE"));
     const QCommandLineOption size(QStringLiteral("size"),
                                   QStringLiteral("Size of the picture, WIDTHxHEIGHT in pixels."),
                                   QStringLiteral("SIZE"), QStringLiteral("1600x1000"));
@@ -58,7 +61,7 @@ Arguments read_arguments(const QStringList& given) {
     const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("en, de, it or fr."),
                                       QStringLiteral("LANGUAGE"));
     const QCommandLineOption read_only(QStringLiteral("read-only"), QStringLiteral("Change nothing."));
-    parser.addOptions({help, version, shot, output, unit, size, theme_option, language, read_only});
+    parser.addOptions({help, version, shot, output, unit, problem, size, theme_option, language, read_only});
     if (!parser.parse(given)) throw Error(ErrorCode::Usage, parser.errorText().toStdString());
     Arguments arguments;
     arguments.help = parser.isSet(help);
@@ -79,6 +82,7 @@ Arguments read_arguments(const QStringList& given) {
     arguments.screenshot.view = parser.value(shot).toStdString();
     arguments.screenshot.output = parser.value(output).toStdString();
     arguments.screenshot.unit = parser.value(unit).toStdString();
+    arguments.screenshot.problem = parser.value(problem).toStdString();
     const QStringList numbers = parser.value(size).split(QLatin1Char('x'));
     if (numbers.size() == 2) {
         arguments.screenshot.width = numbers[0].toInt();

@@ -358,6 +358,15 @@ std::vector<AreaEvidence> gather_evidence(Project& project, Progress& progress) 
     return all;
 }
 
+bool same_sources(const model::Record& a, const model::Record& b) {
+    const auto same_unit = [](const model::StratigraphicUnit& u, const model::StratigraphicUnit& v) {
+        return u.id == v.id && u.kind == v.kind && u.form == v.form;
+    };
+    return a.settings.tolerance == b.settings.tolerance && a.surfaces == b.surfaces && a.scans == b.scans &&
+           a.poses == b.poses && a.runs == b.runs && a.regions == b.regions &&
+           std::equal(a.units.begin(), a.units.end(), b.units.begin(), b.units.end(), same_unit);
+}
+
 std::vector<model::SurfaceEvidence> surface_evidence(const std::vector<AreaEvidence>& areas) {
     std::vector<model::SurfaceEvidence> all;
     for (const AreaEvidence& area : areas) {

@@ -36,6 +36,10 @@ struct AreaEvidence {
 /// that lie astray; what could not be judged stands in `unseen`.
 [[nodiscard]] std::vector<AreaEvidence> gather_evidence(Project& project, Progress& progress);
 
+/// Whether gather_evidence() finds the same in both: surfaces, outlines, scans, their poses, and what it needs to know
+/// of the units are alike. What the surfaces say of one record then holds for the other.
+[[nodiscard]] bool same_sources(const model::Record& a, const model::Record& b);
+
 /// The proven pairs as the checks take them; questions prove nothing and are left out.
 [[nodiscard]] std::vector<model::SurfaceEvidence> surface_evidence(const std::vector<AreaEvidence>& areas);
 

@@ -863,6 +863,10 @@
         <source>%1, %2: %3</source>
         <translation>%1, %2: %3</translation>
     </message>
+    <message>
+        <source>Comparing the surfaces</source>
+        <translation>Die Oberflächen werden verglichen</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ProblemPanel</name>
@@ -932,6 +936,10 @@
     <message>
         <source>Changed after the day was signed off</source>
         <translation>Geändert, nachdem der Tag abgezeichnet war</translation>
+    </message>
+    <message>
+        <source>; the surfaces are still being compared</source>
+        <translation>; die Oberflächen werden noch verglichen</translation>
     </message>
 </context>
 <context>
@@ -1043,6 +1051,25 @@
     <message>
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProofPicture</name>
+    <message>
+        <source>Both faces in plan and cross-section</source>
+        <translation>Beide Flächen im Plan und im Querschnitt</translation>
+    </message>
+    <message>
+        <source>drawing both faces …</source>
+        <translation>beide Flächen werden gezeichnet …</translation>
+    </message>
+    <message>
+        <source>Drawing the proof</source>
+        <translation>Der Beleg wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Click to see it large</source>
+        <translation>Klicken, um es groß zu sehen</translation>
     </message>
 </context>
 <context>

@@ -863,6 +863,10 @@
         <source>%1, %2: %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Comparing the surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ProblemPanel</name>
@@ -931,6 +935,10 @@
     </message>
     <message>
         <source>Changed after the day was signed off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the surfaces are still being compared</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1042,6 +1050,25 @@
     </message>
     <message>
         <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ProofPicture</name>
+    <message>
+        <source>Both faces in plan and cross-section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing both faces …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing the proof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to see it large</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,9 +4,12 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
+#include "app/evidence/evidence.hpp"
 #include "app/records/revision.hpp"
+#include "core/base/error.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -102,19 +105,69 @@ QString action_word(ProblemAction action) {
 
 ProblemListModel::ProblemListModel(Workspace& workspace, QObject* parent)
     : QAbstractListModel(parent), workspace_(workspace), check_(std::make_shared<app::DailyCheck>()) {
-    connect(&workspace_, &Workspace::snapshotChanged, this, &ProblemListModel::check_again);
+    connect(&workspace_, &Workspace::snapshotChanged, this, [this] {
+        ask_surfaces();
+        check_again();
+    });
     connect(&workspace_, &Workspace::closed, this, [this] {
+        surfaces_ = {};
+        asked_for_ = nullptr;
+        comparing_ = false;
         take(std::make_shared<app::DailyCheck>(), nullptr);
         checked_ = false;
     });
 }
 
+// Minutes on a large dig that was never asked before, so beside the checks: they first say what the record alone says.
+void ProblemListModel::ask_surfaces() {
+    const auto snapshot = workspace_.snapshot();
+    if (asked_for_ != nullptr && app::same_sources(asked_for_->record(), snapshot->record())) return;
+    asked_for_ = snapshot;
+    comparing_ = true;
+    workspace_.read(
+        QStringLiteral("evidence"), tr("Comparing the surfaces"),
+        [this, snapshot](app::Project& project, Progress& progress) -> JobRunner::Done {
+            try {
+                auto said =
+                    std::make_shared<const Surfaces>(app::surface_evidence(app::gather_evidence(project, progress)));
+                return [this, said, snapshot] { take_surfaces(said, snapshot); };
+            } catch (const Error& e) {
+                if (e.code() != ErrorCode::Cancelled) throw;
+                return [this, snapshot] { give_up_surfaces(snapshot); };
+            }
+        },
+        [this, snapshot](const QString& sentence) {
+            give_up_surfaces(snapshot);
+            workspace_.say(sentence);
+        });
+}
+
+void ProblemListModel::take_surfaces(std::shared_ptr<const Surfaces> said, const Workspace::SnapshotPtr& asked_for) {
+    if (asked_for_ != asked_for) return; // closed, or changed since
+    comparing_ = false;
+    const bool news = surfaces_ == nullptr ? !said->empty() : *surfaces_ != *said;
+    surfaces_ = std::move(said);
+    if (news) check_again();
+    emit checked();
+}
+
+// They are asked again at the next change.
+void ProblemListModel::give_up_surfaces(const Workspace::SnapshotPtr& asked_for) {
+    if (asked_for_ != asked_for) return;
+    comparing_ = false;
+    asked_for_ = nullptr;
+    emit checked();
+}
+
 void ProblemListModel::check_again() {
     const auto snapshot = workspace_.snapshot();
+    if (snapshot == nullptr) return;
     workspace_.jobs().start(
         QStringLiteral("check"), JobRunner::Queueing::Newest, tr("Checking"), Job::Kind::Quiet,
-        [this, snapshot](Progress& progress) -> JobRunner::Done {
-            auto check = std::make_shared<const app::DailyCheck>(app::check_record(snapshot->record(), progress));
+        [this, snapshot, surfaces = surfaces_](Progress& progress) -> JobRunner::Done {
+            const std::span<const model::SurfaceEvidence> said =
+                surfaces == nullptr ? std::span<const model::SurfaceEvidence>() : *surfaces;
+            auto check = std::make_shared<const app::DailyCheck>(app::check_record(snapshot->record(), said, progress));
             return [this, check, snapshot] {
                 if (workspace_.is_open()) take(check, snapshot);
             };
@@ -209,6 +262,7 @@ ProblemDetail ProblemListModel::detail() const {
     detail.message = qt(problem->message);
     detail.severity = problem->severity;
     detail.is_new = check_->new_ids.contains(problem->id);
+    detail.has_faces = problem->code == "height-contradiction";
     for (const auto& [name, value] : problem->evidence) {
         detail.evidence << qt(name) + QStringLiteral(": ") + evidence_text(value);
     }
@@ -271,6 +325,7 @@ QVariant ProblemListModel::data(const QModelIndex& index, int role) const {
     case MessageRole: return qt(problem.message);
     case NewRole: return check_->new_ids.contains(problem.id);
     case IdRole: return qt(problem.id);
+    case CodeRole: return qt(problem.code);
     case Qt::DisplayRole: return check_title(problem.code) + QStringLiteral(": ") + qt(problem.message);
     case Qt::AccessibleTextRole:
         return severity_word(problem.severity) + QStringLiteral(", ") + check_title(problem.code) +

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/checks/daily_check.hpp"
+#include "core/model/evidence.hpp"
 #include "gui/viewmodels/workspace.hpp"
 
 namespace planum::gui {
@@ -37,18 +38,20 @@ struct ProblemDetail {
     QString message;
     model::Severity severity = model::Severity::Warning;
     bool is_new = false;
-    QStringList evidence; ///< `thickness: 0.12`
-    QStringList proof;    ///< the relations it rests on
+    bool has_faces = false; ///< measured: two faces and a section can be drawn, see app::contradiction_sheet()
+    QStringList evidence;   ///< `thickness: 0.12`
+    QStringList proof;      ///< the relations it rests on
     std::vector<SuspectLine> suspects;
 };
 
 /// What the evening's check says, new since the last sign-off first; checked again after every change, in a
-/// thread. Opening a problem shows its proof in all views.
+/// thread. What the surfaces say is asked once for the scans and outlines there are, and again when they change; until
+/// it is known the record is judged by itself. Opening a problem shows its proof in all views.
 class ProblemListModel : public QAbstractListModel {
     Q_OBJECT
 
   public:
-    enum Role { SeverityRole = Qt::UserRole + 1, TitleRole, MessageRole, NewRole, IdRole };
+    enum Role { SeverityRole = Qt::UserRole + 1, TitleRole, MessageRole, NewRole, IdRole, CodeRole };
 
     explicit ProblemListModel(Workspace& workspace, QObject* parent = nullptr);
 
@@ -58,6 +61,9 @@ class ProblemListModel : public QAbstractListModel {
     [[nodiscard]] const app::DailyCheck& check() const noexcept { return *check_; }
 
     [[nodiscard]] bool is_checked() const noexcept { return checked_; }
+
+    /// Whether the surfaces are still being asked; what they say comes with another checked().
+    [[nodiscard]] bool is_comparing_surfaces() const noexcept { return comparing_; }
 
     /// `2 errors, 5 warnings, 12 remarks`
     [[nodiscard]] QString summary() const;
@@ -89,6 +95,11 @@ class ProblemListModel : public QAbstractListModel {
     void openedChanged();
 
   private:
+    using Surfaces = std::vector<model::SurfaceEvidence>;
+
+    void ask_surfaces();
+    void take_surfaces(std::shared_ptr<const Surfaces> said, const Workspace::SnapshotPtr& asked_for);
+    void give_up_surfaces(const Workspace::SnapshotPtr& asked_for);
     void check_again();
     void take(std::shared_ptr<const app::DailyCheck> check, Workspace::SnapshotPtr snapshot);
     [[nodiscard]] const model::Diagnostic* open_problem() const;
@@ -96,6 +107,9 @@ class ProblemListModel : public QAbstractListModel {
     Workspace& workspace_;
     Workspace::SnapshotPtr snapshot_; ///< what was checked
     std::shared_ptr<const app::DailyCheck> check_;
+    std::shared_ptr<const Surfaces> surfaces_; ///< what they said last
+    Workspace::SnapshotPtr asked_for_;         ///< for whose scans and outlines they were asked
+    bool comparing_ = false;
     std::vector<std::size_t> rows_; ///< positions in check_->problems
     bool with_remarks_ = false;
     bool checked_ = false;

@@ -7,12 +7,16 @@
 #include <QListView>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QVBoxLayout>
+
+#include <memory>
 
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/flow_layout.hpp"
+#include "gui/widgets/problems/proof_picture.hpp"
 #include "gui/widgets/signs.hpp"
 #include "gui/widgets/text_label.hpp"
 #include "gui/widgets/theme.hpp"
@@ -77,6 +81,14 @@ ProblemPanel::ProblemPanel(Models& models)
     column->setSpacing(0);
     column->addLayout(head);
     column->addWidget(list_, 1);
+    auto* detail = new QWidget;
+    detail_ = new QVBoxLayout(detail);
+    detail_->setContentsMargins(14, 10, 14, 10);
+    detail_->setSpacing(10);
+    detail_->addWidget(new QWidget);
+    detail_->addWidget(new ProofPicture(models_));
+    detail_->addStretch(1);
+    scroll_->setWidget(detail);
     scroll_->setWidgetResizable(true);
     scroll_->setObjectName(QStringLiteral("problemDetail"));
     auto* halves = new QSplitter;
@@ -106,6 +118,7 @@ void ProblemPanel::show_summary() {
     }
     const QStringList later = models_.problems.changes_since_sign_off();
     if (!later.isEmpty()) text += tr("; %n change(s) since", nullptr, static_cast<int>(later.size()));
+    if (models_.problems.is_comparing_surfaces()) text += tr("; the surfaces are still being compared");
     summary_->setText(text);
     summary_->setToolTip(later.join(QLatin1Char('\n')));
 }
@@ -137,8 +150,9 @@ void ProblemPanel::show_detail() {
     }
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(14, 10, 14, 10);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
+    show_page(page);
     if (detail.id.isEmpty()) {
         column->addWidget(
             text_label(tr("Choose a problem: its proof shows in the matrix and in every other view."), "faint"));
@@ -146,8 +160,6 @@ void ProblemPanel::show_detail() {
         if (!later.isEmpty()) column->addWidget(text_label(tr("Changed after the day was signed off"), "heading"));
         for (const QString& line : later) column->addWidget(text_label(line, "faint"));
         for (const QString& line : models_.problems.coverage()) column->addWidget(text_label(line, "faint"));
-        column->addStretch(1);
-        scroll_->setWidget(page);
         return;
     }
     auto* head = new QHBoxLayout;
@@ -169,8 +181,14 @@ void ProblemPanel::show_detail() {
         column->addWidget(text_label(tr("Numbers"), "heading"));
         column->addWidget(text_label(detail.evidence.join(QStringLiteral("    ")), "faint"));
     }
-    column->addStretch(1);
-    scroll_->setWidget(page);
+}
+
+// In place of the words of the problem before; the picture below them stays.
+void ProblemPanel::show_page(QWidget* page) {
+    const std::unique_ptr<QLayoutItem> before(detail_->replaceWidget(detail_->itemAt(0)->widget(), page));
+    before->widget()->deleteLater();
+    before->widget()->hide();
+    scroll_->verticalScrollBar()->setValue(0);
 }
 
 void ProblemPanel::act(std::size_t suspect, ProblemAction action) {

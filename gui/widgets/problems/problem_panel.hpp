@@ -30,6 +30,7 @@ class ProblemPanel : public QWidget {
   private:
     void show_summary();
     void show_detail();
+    void show_page(QWidget* page);
     void add_suspect(QVBoxLayout* column, std::size_t at, const SuspectLine& suspect);
     void act(std::size_t suspect, ProblemAction action);
     void accept();
@@ -39,6 +40,7 @@ class ProblemPanel : public QWidget {
     QLabel* summary_;
     QListView* list_;
     QScrollArea* scroll_;
+    QVBoxLayout* detail_ = nullptr; ///< the words of the open problem, below them its picture
 };
 
 } // namespace planum::gui

@@ -33,6 +33,14 @@ void settle(MainWindow& window) {
     QApplication::processEvents();
 }
 
+void open_problem(ProblemListModel& problems, const std::string& code) {
+    for (int row = 0; row < problems.rowCount(); ++row) {
+        const QString now = problems.data(problems.index(row), ProblemListModel::CodeRole).toString();
+        if (code.empty() || now.toStdString() == code) return problems.open(row);
+    }
+    if (!code.empty()) throw Error(ErrorCode::NotFound, "no problem " + code + " in the list");
+}
+
 } // namespace
 
 void write_screenshot(MainWindow& window, const ScreenshotRequest& request) {
@@ -54,7 +62,7 @@ void write_screenshot(MainWindow& window, const ScreenshotRequest& request) {
         workspace.select(workspace.snapshot()->record().units[found.front()].id);
     }
     settle(window);
-    if (request.view == "problems") window.models().problems.open(0);
+    if (request.view == "problems") open_problem(window.models().problems, request.problem);
     if (request.view == "suggestions") {
         window.show_view("plan");
         settle(window);

@@ -17,11 +17,13 @@
 #include "gui/widgets/matrix/matrix_canvas.hpp"
 #include "gui/widgets/matrix/matrix_view.hpp"
 #include "gui/widgets/problems/problem_panel.hpp"
+#include "gui/widgets/problems/proof_picture.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/view.hpp"
 #include "gui/widgets/window/notice_bar.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gui_project.hpp"
+#include "tests/support/measured_days.hpp"
 
 using namespace planum;
 using namespace planum::gui;
@@ -180,4 +182,32 @@ TEST_CASE("The window can be drawn in every theme, with and without a project") 
     shown.window.models().workspace.close();
     shown.settle_all();
     CHECK_FALSE(shown.window.grab().isNull());
+}
+
+TEST_CASE("A problem that was measured is shown with both faces and a section; one of another kind without") {
+    ensure_application();
+    const test::TemporaryFolder folder;
+    {
+        app::Project project = test::make_measured_days(folder, folder / "site.gpkg");
+        app::record_kind("relation").add(project, "2 covers 1", {});
+        app::record_kind("relation").add(project, "3 covers 3", {});
+    }
+    MainWindow window;
+    window.open(folder / "site.gpkg", store::OpenMode::ReadOnly);
+    window.show();
+    for (int i = 0; i < 3; ++i) settle(window.models().workspace);
+    auto* picture = window.findChild<ProofPicture*>(QStringLiteral("proofPicture"));
+    REQUIRE(picture != nullptr);
+    ProblemListModel& problems = window.models().problems;
+    std::set<bool> seen;
+    for (int row = 0; row < problems.rowCount(); ++row) {
+        problems.open(row);
+        settle(window.models().workspace);
+        const bool measured = problems.data(problems.index(row), ProblemListModel::CodeRole).toString() ==
+                              QStringLiteral("height-contradiction");
+        CHECK(picture->isHidden() != measured);
+        CHECK(picture->picture().isNull() != measured);
+        seen.insert(measured);
+    }
+    CHECK(seen.size() == 2);
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/measured_days.hpp"
 #include "tests/support/record_builder.hpp"
 #include "tests/support/temporary.hpp"
 
@@ -77,5 +78,22 @@ TEST_CASE("What only one reading contradicts is told of that one") {
     const auto diff = app::diff_interpretations(project, "record", "circle", Progress::none());
     REQUIRE(std::any_of(diff.problems.begin(), diff.problems.end(), [](const app::DifferingProblem& p) {
         return p.in == app::Reading::Second && p.problem.code == "cycle";
+    }));
+}
+
+TEST_CASE("What the measured surfaces contradict in one reading only is told of that one") {
+    const test::TemporaryFolder folder;
+    app::Project project = test::make_measured_days(folder, folder / "site.gpkg");
+    app::record_kind("relation").add(project, "2 covers 1", {});
+    const model::RelationId wrong = project.record().relations.front().id;
+    project.change("reading", [&] {
+        model::Interpretation mended;
+        mended.name = "mended";
+        mended.dropped = {wrong};
+        project.file().insert(mended);
+    });
+    const auto diff = app::diff_interpretations(project, "record", "mended", Progress::none());
+    CHECK(std::any_of(diff.problems.begin(), diff.problems.end(), [](const app::DifferingProblem& p) {
+        return p.in == app::Reading::First && p.problem.code == "height-contradiction";
     }));
 }
