@@ -386,6 +386,96 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::Inquiry</name>
+    <message>
+        <source>only in %1: %2 %3 %4; the other orders them the other way round</source>
+        <translation>nur in %1: %2 %3 %4; die andere ordnet sie umgekehrt</translation>
+    </message>
+    <message>
+        <source>only in %1: %2 %3 %4</source>
+        <translation>nur in %1: %2 %3 %4</translation>
+    </message>
+    <message>
+        <source>order of %1: %2 later than %3; the other says the opposite</source>
+        <translation>Reihenfolge in %1: %2 jünger als %3; die andere sagt das Gegenteil</translation>
+    </message>
+    <message>
+        <source>order of %1: %2 later than %3; the other does not order them</source>
+        <translation>Reihenfolge in %1: %2 jünger als %3; die andere ordnet sie nicht</translation>
+    </message>
+    <message>
+        <source>contradicted in %1 only: %2</source>
+        <translation>Widerspruch nur in %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 say the same</source>
+        <translation>%1 und %2 sagen dasselbe</translation>
+    </message>
+    <message>
+        <source>%1: only in run %2</source>
+        <translation>%1: nur in Registrierung %2</translation>
+    </message>
+    <message>
+        <source>%1: moves %2 mm, turns %3° (known within %4 and %5 mm)</source>
+        <translation>%1: rückt um %2 mm, dreht um %3° (bekannt auf %4 und %5 mm)</translation>
+    </message>
+    <message>
+        <source>neither run placed a scan</source>
+        <translation>keine der beiden hat einen Scan eingepasst</translation>
+    </message>
+    <message>
+        <source>unit not known</source>
+        <translation>Befund nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1: %2 m², %3 m since the surface before; %4: %5</source>
+        <translation>%1: %2 m², %3 m seit der Oberfläche davor; %4: %5</translation>
+    </message>
+    <message>
+        <source>all ground that changed is outlined</source>
+        <translation>aller veränderte Boden ist umrissen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) outside all outlines left out</source>
+        <translation>
+            <numerusform>%n Stück außerhalb aller Umrisse weggelassen</numerusform>
+            <numerusform>%n Stücke außerhalb aller Umrisse weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Verifying the project</source>
+        <translation>Projekt prüfen</translation>
+    </message>
+    <message>
+        <source>no problem found in the file, its scans and their points</source>
+        <translation>kein Fehler in der Datei, ihren Scans und deren Punkten gefunden</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Registration %1 and %2</source>
+        <translation>Registrierung %1 und %2</translation>
+    </message>
+    <message>
+        <source>Ground not outlined yet</source>
+        <translation>Noch nicht umrissener Boden</translation>
+    </message>
+    <message>
+        <source>Outlines (*.geojson)</source>
+        <translation>Umrisse (*.geojson)</translation>
+    </message>
+    <message>
+        <source>Accept registration %1</source>
+        <translation>Registrierung %1 annehmen</translation>
+    </message>
+    <message>
+        <source>Discard registration %1</source>
+        <translation>Registrierung %1 verwerfen</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::JobSign</name>
     <message>
         <source>Stop</source>
@@ -752,6 +842,81 @@
     <message>
         <source>shaded</source>
         <translation>schattiert</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PaperMenu</name>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>On paper (*.pdf);;Picture (*.png)</source>
+        <translation>Auf Papier (*.pdf);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Report, plan, section</source>
+        <translation>Bericht, Plan, Schnitt</translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Plan to scale …</source>
+        <translation>Plan im Maßstab …</translation>
+    </message>
+    <message>
+        <source>Section to scale …</source>
+        <translation>Schnitt im Maßstab …</translation>
+    </message>
+    <message>
+        <source>the whole record</source>
+        <translation>die ganze Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf *.html *.xml)</source>
+        <translation>Bericht (*.pdf *.html *.xml)</translation>
+    </message>
+    <message>
+        <source>There is no surface to draw yet.</source>
+        <translation>Es gibt noch keine Oberfläche zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Plan to scale</source>
+        <translation>Plan im Maßstab</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>There is no section yet.</source>
+        <translation>Es gibt noch keinen Schnitt.</translation>
+    </message>
+    <message>
+        <source>Section to scale</source>
+        <translation>Schnitt im Maßstab</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -1576,6 +1741,85 @@
     <message>
         <source>Sheets that lack something</source>
         <translation>Unvollständige Bögen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ToolsMenu</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Verify the project</source>
+        <translation>Projekt prüfen</translation>
+    </message>
+    <message>
+        <source>Compare readings …</source>
+        <translation>Lesarten vergleichen …</translation>
+    </message>
+    <message>
+        <source>Ground not outlined yet</source>
+        <translation>Noch nicht umrissener Boden</translation>
+    </message>
+    <message>
+        <source>Compare registrations …</source>
+        <translation>Registrierungen vergleichen …</translation>
+    </message>
+    <message>
+        <source>Accept a registration …</source>
+        <translation>Registrierung annehmen …</translation>
+    </message>
+    <message>
+        <source>Accept a registration</source>
+        <translation>Registrierung annehmen</translation>
+    </message>
+    <message>
+        <source>Discard a registration …</source>
+        <translation>Registrierung verwerfen …</translation>
+    </message>
+    <message>
+        <source>Discard a registration</source>
+        <translation>Registrierung verwerfen</translation>
+    </message>
+    <message>
+        <source>There is no reading beside the record to compare it with.</source>
+        <translation>Neben der Aufzeichnung gibt es keine Lesart zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Compare readings</source>
+        <translation>Lesarten vergleichen</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesart</translation>
+    </message>
+    <message>
+        <source>with</source>
+        <translation>mit</translation>
+    </message>
+    <message>
+        <source>There are no two registrations to compare.</source>
+        <translation>Es gibt keine zwei Registrierungen zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Compare registrations</source>
+        <translation>Registrierungen vergleichen</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>There is no registration yet.</source>
+        <translation>Es gibt noch keine Registrierung.</translation>
+    </message>
+    <message>
+        <source>Save as outlines …</source>
+        <translation>Als Umrisse sichern …</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>%1 geschrieben</translation>
     </message>
 </context>
 <context>

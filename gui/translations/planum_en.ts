@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>planum::gui::Inquiry</name>
+    <message numerus="yes">
+        <source>%n patch(es) outside all outlines left out</source>
+        <translation>
+            <numerusform>%n patch outside all outlines left out</numerusform>
+            <numerusform>%n patches outside all outlines left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::ProblemListModel</name>
     <message numerus="yes">
         <source>%n error(s)</source>

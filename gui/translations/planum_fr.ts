@@ -386,6 +386,96 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::Inquiry</name>
+    <message>
+        <source>only in %1: %2 %3 %4; the other orders them the other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only in %1: %2 %3 %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order of %1: %2 later than %3; the other says the opposite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order of %1: %2 later than %3; the other does not order them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicted in %1 only: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 say the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only in run %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: moves %2 mm, turns %3° (known within %4 and %5 mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither run placed a scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 m², %3 m since the surface before; %4: %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all ground that changed is outlined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) outside all outlines left out</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Verifying the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no problem found in the file, its scans and their points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registration %1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground not outlined yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outlines (*.geojson)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept registration %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard registration %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::JobSign</name>
     <message>
         <source>Stop</source>
@@ -751,6 +841,81 @@
     </message>
     <message>
         <source>shaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PaperMenu</name>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On paper (*.pdf);;Picture (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report, plan, section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan to scale …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section to scale …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report (*.pdf *.html *.xml)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no surface to draw yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan to scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no section yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section to scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1575,6 +1740,85 @@
     </message>
     <message>
         <source>Sheets that lack something</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::ToolsMenu</name>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare readings …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground not outlined yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare registrations …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept a registration …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept a registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard a registration …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard a registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no reading beside the record to compare it with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no two registrations to compare.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare registrations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no registration yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as outlines …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

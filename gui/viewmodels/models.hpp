@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gui/viewmodels/day_jobs.hpp"
+#include "gui/viewmodels/inquiry.hpp"
 #include "gui/viewmodels/outline_tool.hpp"
 #include "gui/viewmodels/problem_list_model.hpp"
 #include "gui/viewmodels/relation_entry_model.hpp"
@@ -27,6 +28,7 @@ struct Models {
     TimeModel time{workspace};
     OutlineTool outline{workspace};
     DayJobs day{workspace};
+    Inquiry inquiry{workspace};
 };
 
 } // namespace planum::gui

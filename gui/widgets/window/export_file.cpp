@@ -3,15 +3,25 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
 #include "app/drawing/draw_matrix.hpp"
 #include "app/export/export_record.hpp"
 #include "app/reports/report.hpp"
+#include "app/surfaces/plan_sheet.hpp"
+#include "app/surfaces/section_sheet.hpp"
+#include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "paint/drawing_pdf.hpp"
 #include "paint/drawing_png.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/map_sheet_painter.hpp"
+#include "paint/report_pdf.hpp"
 #include "strat/layout/svg_writer.hpp"
 
 namespace planum::gui {
@@ -20,6 +30,16 @@ namespace {
 
 QString wrote(const std::filesystem::path& file) {
     return QCoreApplication::translate("export", "wrote %1").arg(qt(file.string()));
+}
+
+void write_sheet(const geometry::MapSheet& sheet, const std::filesystem::path& file, double scale, Progress& progress) {
+    paint::MapSheetOptions how;
+    how.scale = scale;
+    const std::string ending = text::fold_case(file.extension().string());
+    if (ending != ".pdf" && ending != ".png")
+        throw Error(ErrorCode::Usage, fmt::format("{}: plans and sections are written as .pdf or .png", file.string()));
+    write_file_atomically(file, ending == ".png" ? paint::render_map_png(sheet, how)
+                                                 : paint::render_map_pdf(sheet, how, progress));
 }
 
 } // namespace
@@ -48,6 +68,50 @@ QString export_file(app::Project& project, const std::filesystem::path& file, Pr
         sentences << QCoreApplication::translate("export", "not carried: %1").arg(qt(lost));
     }
     return sentences.join(QStringLiteral("; "));
+}
+
+QString write_report_file(app::Project& project, const std::filesystem::path& file, const std::string& day,
+                          Progress& progress) {
+    const paint::FontTextMeasure measure;
+    const app::ReportRequest request{{}, day};
+    if (text::fold_case(file.extension().string()) != ".pdf") {
+        app::write_report(project, file, request, measure, progress);
+        return wrote(file);
+    }
+    const app::PrintedReport printed = app::printed_report(project, request, progress);
+    std::optional<strat::MatrixDrawing> drawing;
+    if (printed.has_drawing) drawing = app::draw_matrix(project, printed.drawing, measure, progress);
+    paint::ReportPdf report;
+    report.html = printed.html;
+    report.drawing = drawing ? &*drawing : nullptr;
+    report.site = project.record().settings.name;
+    report.date = project.clock().now().substr(0, 10);
+    write_file_atomically(file, paint::render_report_pdf(report, progress));
+    return wrote(file);
+}
+
+QString write_plan_file(app::Project& project, const std::filesystem::path& file, const std::string& surface,
+                        double scale, Progress& progress) {
+    app::PlanRequest request;
+    request.surface = surface;
+    const app::PlanSheet made = app::plan_sheet(project, request, progress);
+    write_sheet(made.sheet, file, scale, progress);
+    QStringList sentences{wrote(file)};
+    for (const std::string& note : made.notes) sentences << qt(note);
+    return sentences.join(QStringLiteral("; "));
+}
+
+QString write_section_file(app::Project& project, const std::filesystem::path& file, const std::string& section,
+                           double scale, Progress& progress) {
+    const auto& sections = project.record().sections;
+    const auto found =
+        std::find_if(sections.begin(), sections.end(), [&](const model::Section& one) { return one.name == section; });
+    if (found == sections.end()) throw Error(ErrorCode::NotFound, "no section " + section);
+    app::SectionRequest request;
+    request.from = found->from_in_site;
+    request.to = found->to_in_site;
+    write_sheet(app::section_sheet(project, request, progress).sheet, file, scale, progress);
+    return wrote(file);
 }
 
 } // namespace planum::gui

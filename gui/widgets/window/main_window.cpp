@@ -24,6 +24,7 @@
 #include "gui/widgets/window/job_sign.hpp"
 #include "gui/widgets/window/notice_bar.hpp"
 #include "gui/widgets/window/project_menu.hpp"
+#include "gui/widgets/window/tools_menu.hpp"
 
 namespace planum::gui {
 
@@ -161,6 +162,7 @@ void MainWindow::make_actions() {
     edit->addActions({undo_, redo_, find, relate});
     QMenu* view = menuBar()->addMenu(tr("View"));
     view->setObjectName(QStringLiteral("viewMenu"));
+    menuBar()->addMenu(new ToolsMenu(*this));
     QMenu* looks = menuBar()->addMenu(tr("Theme"));
     for (const auto& [kind, text] : {std::pair{ThemeKind::Light, tr("Light")}, std::pair{ThemeKind::Dark, tr("Dark")},
                                      std::pair{ThemeKind::Sunlight, tr("Sunlight")}}) {

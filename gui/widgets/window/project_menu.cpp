@@ -13,6 +13,7 @@
 #include "gui/widgets/window/export_file.hpp"
 #include "gui/widgets/window/import_dialog.hpp"
 #include "gui/widgets/window/main_window.hpp"
+#include "gui/widgets/window/paper_menu.hpp"
 
 namespace planum::gui {
 
@@ -56,6 +57,7 @@ ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project"), &window), wi
     QAction* write = addAction(tr("Export or print …"), this, &ProjectMenu::ask_export);
     write->setObjectName(QStringLiteral("export"));
     write->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+    addMenu(new PaperMenu(window_));
     addAction(tr("Backup …"), this, [this] {
         const QString file = QFileDialog::getSaveFileName(&window_, tr("Backup"), {}, tr("Planum projects (*.gpkg)"));
         if (!file.isEmpty()) window_.models().day.backup(file.toStdString());

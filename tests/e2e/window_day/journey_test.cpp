@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <QAction>
+#include <QDialog>
 #include <QLabel>
 #include <QListView>
+#include <QListWidget>
 #include <QRegularExpression>
 
 #include <array>
@@ -99,6 +101,18 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     CHECK(hands.record().poses.size() == 4);
     hands.picture("04_registered");
 
+    // A registration compared with itself moves nothing.
+    const QString run = hands.window.models().inquiry.runs().back();
+    hands.window.models().inquiry.compare_runs(run, run);
+    hands.settle_all();
+    auto* answer = hands.find<QDialog>("answer");
+    auto* lines = answer->findChild<QListWidget*>(QStringLiteral("answerLines"));
+    REQUIRE(lines != nullptr);
+    REQUIRE(lines->count() > 0);
+    CHECK(lines->item(0)->text().contains(QStringLiteral("moves 0.0 mm")));
+    hands.picture("04_compared", answer);
+    answer->close();
+
     // An outline on the panorama, corner by corner.
     hands.window.show_view("panorama");
     hands.settle_all();
@@ -185,6 +199,14 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     for (const char* name : {"matrix.pdf", "report.html"}) {
         hands.answer_next({text(folder / name)});
         hands.find<QAction>("export")->trigger();
+        hands.settle_all();
+        CHECK(fs::file_size(folder / name) > 1000);
+    }
+    // On paper: the report of one day, and the plan to scale. Each asks what, then where to.
+    for (const auto& [action, name] : {std::pair("writeReport", "report.pdf"), std::pair("writePlan", "plan.pdf")}) {
+        hands.answer_next({action == std::string_view("writeReport") ? QStringLiteral("2025-06-01") : QString()});
+        QTimer::singleShot(300, &hands.window, [&hands, &folder, name] { hands.answer_next({text(folder / name)}); });
+        hands.find<QAction>(action)->trigger();
         hands.settle_all();
         CHECK(fs::file_size(folder / name) > 1000);
     }
