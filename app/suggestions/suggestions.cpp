@@ -2,12 +2,14 @@
 #include "app/suggestions/suggestions.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "app/evidence/section_evidence.hpp"
 #include "app/scans/days_surface.hpp"
 #include "app/suggestions/reasons.hpp"
 #include "core/base/error.hpp"
@@ -149,6 +151,53 @@ Suggestion suggestion_of(const model::Record& record, const model::RecordIndex& 
     return s;
 }
 
+// Of a section: a relation, or a question that the record does not answer.
+std::optional<Suggestion> suggestion_of(const model::Record& record, const model::RecordIndex& index,
+                                        const RecordedOrder& recorded, const SectionEvidence& evidence) {
+    Suggestion s;
+    s.type = evidence.verdict.why == scans::SectionVerdict::Why::LiesOn ? SuggestionType::Relation
+                                                                        : SuggestionType::Question;
+    s.unit = evidence.upper;
+    s.other = evidence.lower;
+    s.kind = evidence.verdict.kind;
+    s.direct = evidence.verdict.direct;
+    s.source = model::EvidenceSource::Section;
+    s.confidence = s.type == SuggestionType::Relation ? 0.95 : 0.0;
+    s.area = kSectionStrip * evidence.contact.length;
+    s.reason = reason_of(record, index, evidence);
+    s.id = id_of(record, index, s);
+    s.state = state_of(record, recorded, s);
+    if (s.type == SuggestionType::Question &&
+        (recorded.is_above(s.unit, s.other) || recorded.is_above(s.other, s.unit))) {
+        return std::nullopt;
+    }
+    return s;
+}
+
+// What levels say of a pair that a section shows does not count.
+void add_sections(const model::Record& record, const model::RecordIndex& index, std::vector<Suggestion>& all) {
+    const std::vector<SectionEvidence> sections = section_evidence(record);
+    if (sections.empty()) return;
+    const RecordedOrder recorded(record);
+    std::vector<SectionEvidence> speaking = proven_by_sections(sections);
+    for (const SectionEvidence& one : sections) {
+        if (one.verdict.why == scans::SectionVerdict::Why::ReachesBelow) speaking.push_back(one);
+    }
+    const auto same_pair = [](const Suggestion& s, const SectionEvidence& one) {
+        return (s.unit == one.upper && s.other == one.lower) || (s.unit == one.lower && s.other == one.upper);
+    };
+    for (const SectionEvidence& one : speaking) {
+        const bool proves = one.verdict.why == scans::SectionVerdict::Why::LiesOn;
+        std::erase_if(all, [&](const Suggestion& s) {
+            return proves && same_pair(s, one) && s.state == SuggestionState::Open &&
+                   (s.source == model::EvidenceSource::Levels || s.type == SuggestionType::Question);
+        });
+        const bool said = std::any_of(all.begin(), all.end(), [&](const Suggestion& s) { return same_pair(s, one); });
+        if (said) continue;
+        if (auto s = suggestion_of(record, index, recorded, one)) all.push_back(std::move(*s));
+    }
+}
+
 std::vector<Suggestion> open_ones(Project& project, std::span<const std::string> ids, Progress& progress) {
     const std::vector<Suggestion> all = list_suggestions(project, progress).suggestions;
     std::vector<Suggestion> chosen;
@@ -190,7 +239,7 @@ model::PhysicalRelation relation_of(const Suggestion& s) {
 std::vector<Suggestion> suggestions_from(Project& project, const std::vector<AreaEvidence>& evidence) {
     const model::Record& record = project.record();
     std::vector<Suggestion> all;
-    if (evidence.empty()) return all;
+    if (evidence.empty() && record.sections.empty()) return all;
     const RecordedOrder recorded(record);
     for (const AreaEvidence& area : evidence) {
         std::vector<scans::Conclusion> conclusions = area.conclusions;
@@ -198,6 +247,7 @@ std::vector<Suggestion> suggestions_from(Project& project, const std::vector<Are
         for (const scans::Conclusion& c : conclusions)
             all.push_back(suggestion_of(record, project.index(), recorded, area, c));
     }
+    add_sections(record, project.index(), all);
     const auto rank = [](const Suggestion& s) {
         return std::tuple(s.state != SuggestionState::Open, s.type == SuggestionType::Question, -s.area);
     };

@@ -22,6 +22,7 @@ struct SurfaceEvidence {
     double thickness = 0.0;      ///< median height between the two faces
     double tolerance = 0.0;      ///< 95 % bound that was applied to the heights
     double contact_dip = 0.0;    ///< [rad]
+    double length = 0.0;         ///< of a contact in a section; its area counts as a strip [m]
     bool both_faces_own = false; ///< both regions show `top` or `cut`
     bool testable = true;
     std::string why_not_testable;

@@ -33,6 +33,16 @@ model::Diagnostic contradiction(const CheckContext& c, RelationIndex r, const mo
     const std::string object = c.name(c.object[r]);
     const bool sure =
         e.area >= kVisible && e.both_faces_own && e.contact_dip < kFlat && e.source != model::EvidenceSource::Levels;
+    if (e.source == model::EvidenceSource::Section) {
+        auto d = make_diagnostic(sure ? Severity::Error : Severity::Warning, "height-contradiction",
+                                 fmt::format("{}, but in the section {} lies on {} along {:.2f} m: the relation is the "
+                                             "wrong way round, or an outline carries the wrong number",
+                                             c.sentence(r), object, subject, e.length));
+        d.units = {c.unit(c.subject[r]).id, c.unit(c.object[r]).id};
+        d.relations = {c.named(r)};
+        d.evidence["length_m"] = e.length;
+        return d;
+    }
     auto d = make_diagnostic(
         sure ? Severity::Error : Severity::Warning, "height-contradiction",
         fmt::format("{}, but over {:.2f} m² {} lay above {}, which came out {:.2f} m lower: the relation is the wrong "
