@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Registration against the truth of simulated digs.
 // ./dev bench registration [digs FROM TO [SIZE]] | [dig FOLDER] | [wrong SITE SITE [PAIRS]]
+// | [trench FOLDER]
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -13,6 +14,7 @@
 
 #include "app/registration/scan_shelf.hpp"
 #include "app/scans/scan_stores.hpp"
+#include "bench/bench_registration_real.hpp"
 #include "bench/bench_support.hpp"
 #include "core/base/error.hpp"
 #include "scans/registration/coarse_alignment.hpp"
@@ -122,6 +124,10 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (arguments.size() >= 3 && arguments[0] == "wrong") {
         bench_wrong_pairs(arguments[1], arguments[2], number(3, 200));
+        return 0;
+    }
+    if (arguments.size() >= 2 && arguments[0] == "trench") {
+        bench::bench_trench(arguments[1]);
         return 0;
     }
     if (!arguments.empty() && arguments[0] == "digs") {

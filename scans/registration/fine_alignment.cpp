@@ -64,20 +64,24 @@ class Alignment {
         const SurfelCloud& target = target_.clouds[target_.cloud_of[level]];
         const SurfelCloud& source = source_.clouds[source_.cloud_of[level]];
         const bool is_last = how.blur <= 0.0;
-        const MatchOptions match{how.max_distance,
-                                 how.blur,
-                                 is_last ? kSameFacing : 0.0,
-                                 4.0,
-                                 is_last ? MatchWays::Both : MatchWays::Forward,
-                                 options_.threads};
+        MatchOptions match{how.max_distance,
+                           how.blur,
+                           is_last ? kSameFacing : 0.0,
+                           4.0,
+                           is_last ? MatchWays::Both : MatchWays::Forward,
+                           options_.threads,
+                           0.0};
         for (int i = 0; i < how.max_iterations; ++i) {
             progress_.check();
+            match.range_offset = result.range_offset;
             equations = match_surfels(target, source, result.target_from_source, match, patch_of, weights, matches);
             ++result.iterations;
-            const Vector6 step = damped_step(equations);
+            add_range_prior(equations, result.range_offset, options_.range_offset_sigma);
+            const AlignmentVector step = damped_step(equations);
             if (!step.allFinite()) return false;
-            result.target_from_source = geometry::moved(result.target_from_source, step);
-            if (length_of(step) < enough) break;
+            result.target_from_source = geometry::moved(result.target_from_source, step.head<6>());
+            result.range_offset += step[6];
+            if (length_of(step.head<6>()) < enough) break;
         }
         return equations.votes >= 30.0;
     }
@@ -101,7 +105,7 @@ class Alignment {
     void link_covariance(const PatchMap& map, std::size_t level) {
         const LinkStatistics link =
             link_statistics(target_.clouds[target_.cloud_of[level]], source_.clouds[source_.cloud_of[level]],
-                            result.target_from_source, matches, map, options_);
+                            result.target_from_source, result.range_offset, matches, map, options_);
         result.covariance = link.covariance;
         result.covariance.diagonal().head<3>().array() += options_.systematic_rotation * options_.systematic_rotation;
         result.covariance.diagonal().tail<3>().array() += options_.systematic_position * options_.systematic_position;

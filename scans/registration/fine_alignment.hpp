@@ -25,7 +25,7 @@ struct FineOptions {
     std::vector<AlignmentLevel> levels{
         {0.20, 0.60, 0.10, 20}, {0.08, 0.25, 0.03, 15}, {0.02, 0.25, 0.008, 10}, {0.02, 0.25, 0.0, 15}};
     std::size_t max_surfels = 200'000; ///< of a scan at one level; its voxel is doubled until it holds
-    int neighbours = 12;               ///< points that make the plane of a surfel
+    int neighbours = 24;               ///< points that make the plane of a surfel
     double patch = 0.25;               ///< edge of the pieces in which ground votes [m]
     double min_overlap = 0.12;         ///< share of the source with a partner, less is refused
     double min_agreement = 0.35;       ///< share of it that agrees where there is ground, less is refused
@@ -35,9 +35,10 @@ struct FineOptions {
     /// pose, see docs/registration.md.
     double systematic_position = 1e-5; ///< [m]
     double systematic_rotation = 1e-6; ///< [rad]
-    /// How much too high ground may read a unit of the tangent of the incidence [m]: leans scans that face each
-    /// other, not scans from one place.
-    double systematic_lean = 3e-6;
+    /// How much too long or short all ranges of a scanner may be (its additive constant, see Lichti 2007) [m]. It is
+    /// found along with the pose, one for both scans, because it lifts ground seen from above more than ground seen
+    /// at a slant, and so leans scans that face each other. 0: none is looked for.
+    double range_offset_sigma = 0.002;
     double max_shift = 1.0;                            ///< from the start [m]; more is refused
     double max_turn = 20.0 * std::numbers::pi / 180.0; ///< from the start [rad]; more is refused
     int threads = 2;                                   ///< does not change the result
@@ -61,6 +62,7 @@ struct FineResult {
     /// err together count once. Only if accepted.
     geometry::Matrix6 covariance = geometry::Matrix6::Zero();
     geometry::Matrix6 information = geometry::Matrix6::Zero(); ///< its inverse
+    double range_offset = 0.0;                                 ///< by which all ranges are too long [m]
     double rms = 0.0;                                          ///< of the distances along the normals of what votes [m]
     double overlap = 0.0;   ///< share of the source with the same ground in the target, 0…1
     double agreement = 0.0; ///< share of it that is the same where the target has ground at all, 0…1

@@ -84,84 +84,86 @@ std::string objection(const FineResult& result, const Rigid3& start, bool has_vo
     return {};
 }
 
-/// How the vote of a pair changes if ground reads too high by the tangent of the incidence, towards its scanner.
-Vector6 lean_of(const NormalEquations& pair, const Surfel& target, const Surfel& source, const Rigid3& pose) {
-    const auto tangent = [](const Surfel& surfel) {
-        const double cosine = std::clamp(-surfel.normal.dot(surfel.position.normalized()), 0.05, 1.0);
-        return std::sqrt(1.0 - cosine * cosine) / cosine;
-    };
-    Eigen::Vector3d normal = pose.rotation * source.normal;
-    const double side = normal.dot(target.normal) < 0.0 ? -1.0 : 1.0;
-    normal = (side * normal + target.normal).normalized();
-    Vector6 direction;
-    direction << (pose.rotation * source.position).cross(normal), normal;
-    const double precision = pair.information.bottomRightCorner<3, 3>().trace();
-    return precision * (side * tangent(source) - tangent(target)) * direction;
-}
-
 /// What one block of ground votes for, and how firmly.
 struct BlockVote {
-    Vector6 gradient = Vector6::Zero();
-    Matrix6 slope = Matrix6::Zero();
+    AlignmentVector gradient = AlignmentVector::Zero();
+    AlignmentMatrix slope = AlignmentMatrix::Zero();
 };
 
 struct Sums {
     std::vector<BlockVote> of_block;
-    Matrix6 bread = Matrix6::Zero();
-    Matrix6 slope = Matrix6::Zero();
-    Vector6 lean = Vector6::Zero();
+    AlignmentMatrix bread = AlignmentMatrix::Zero();
+    AlignmentMatrix slope = AlignmentMatrix::Zero();
     double square = 0.0;
     double votes = 0.0;
 };
 
+void hold_range_offset(BlockVote& block) {
+    block.gradient[6] = 0.0;
+    block.slope.row(6).setZero();
+    block.slope.col(6).setZero();
+}
+
 // How the pose would move if the block had not voted.
-Vector6 without(const BlockVote& block, const Matrix6& slope, const Eigen::LDLT<Matrix6>& with_all) {
-    const Eigen::LDLT<Matrix6> solver(slope - block.slope);
+AlignmentVector without(const BlockVote& block, const AlignmentMatrix& slope,
+                        const Eigen::LDLT<AlignmentMatrix>& with_all) {
+    const Eigen::LDLT<AlignmentMatrix> solver(slope - block.slope);
     const bool is_firm = solver.info() == Eigen::Success && solver.isPositive();
     return is_firm ? solver.solve(block.gradient) : with_all.solve(block.gradient);
 }
 
-// The jackknife over blocks, for ground errs by blocks, and what leans the same way everywhere.
-Matrix6 covariance_of(const Sums& sums, double lean) {
-    const Eigen::LDLT<Matrix6> solver(sums.slope);
+// The jackknife over blocks, for ground errs by blocks.
+Matrix6 covariance_of(const Sums& sums) {
+    const Eigen::LDLT<AlignmentMatrix> solver(sums.slope);
     const auto voting = std::count_if(sums.of_block.begin(), sums.of_block.end(),
                                       [](const BlockVote& block) { return block.gradient.squaredNorm() > 0.0; });
-    if (voting < 12 || is_open(sums.bread) || solver.info() != Eigen::Success || !solver.isPositive()) {
+    if (voting < 12 || is_open(sums.bread.topLeftCorner<6, 6>()) || solver.info() != Eigen::Success ||
+        !solver.isPositive()) {
         return Matrix6::Constant(std::numeric_limits<double>::infinity());
     }
     Matrix6 seen = Matrix6::Zero();
     for (const auto& block : sums.of_block) {
         if (block.gradient.squaredNorm() <= 0.0) continue;
-        const Vector6 moved = without(block, sums.slope, solver);
+        const Vector6 moved = without(block, sums.slope, solver).head<6>();
         seen += moved * moved.transpose();
     }
     // Which patches vote is itself decided by their offsets; that the jackknife does not see. As measured, see
     // docs/registration.md.
     constexpr double kChosenVotes = 1.25;
-    const Vector6 leaning = lean * solver.solve(sums.lean);
-    return kChosenVotes * seen + leaning * leaning.transpose();
+    return kChosenVotes * seen;
 }
 
 } // namespace
 
-Vector6 damped_step(const NormalEquations& equations) {
-    Matrix6 damped = equations.information;
+void add_range_prior(NormalEquations& equations, double range_offset, double sigma) {
+    if (sigma > 0.0) {
+        equations.information(6, 6) += 1.0 / (sigma * sigma);
+        equations.gradient[6] += range_offset / (sigma * sigma);
+        return;
+    }
+    equations.information.row(6).setZero();
+    equations.information.col(6).setZero();
+    equations.information(6, 6) = 1.0;
+    equations.gradient[6] = 0.0;
+}
+
+AlignmentVector damped_step(const NormalEquations& equations) {
+    AlignmentMatrix damped = equations.information;
     damped.diagonal() *= 1.0 + 1e-9;
-    damped.diagonal().array() += 1e-9 * equations.information.trace() / 6.0 + 1e-30;
+    damped.diagonal().array() += 1e-9 * equations.information.topLeftCorner<6, 6>().trace() / 6.0 + 1e-30;
     return -damped.ldlt().solve(equations.gradient);
 }
 
 LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& source, const Rigid3& target_from_source,
-                               std::span<const SurfelMatch> matches, const PatchMap& map, const FineOptions& options) {
+                               double range_offset, std::span<const SurfelMatch> matches, const PatchMap& map,
+                               const FineOptions& options) {
     std::vector<NormalEquations> pairs(matches.size());
-    std::vector<Vector6> leans(matches.size(), Vector6::Zero());
     for_blocks(matches.size(), options.threads, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (matches[i].kind != MatchKind::Agree) continue;
             const Surfel& t = target.surfels[matches[i].target];
             const Surfel& s = source.surfels[matches[i].source];
-            pairs[i] = equations_of(t, s, target_from_source, 0.0);
-            leans[i] = lean_of(pairs[i], t, s, target_from_source);
+            pairs[i] = equations_of(t, s, target_from_source, options.levels.back().blur, range_offset);
         }
     });
     Sums sums;
@@ -178,14 +180,19 @@ LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& sou
         block.gradient += weight * pairs[i].gradient;
         block.slope += weight * steepness * pairs[i].information;
         sums.bread += weight * pairs[i].information;
-        sums.lean += weight * leans[i];
         sums.square += weight * matches[i].offset * matches[i].offset;
         sums.votes += weight;
     }
-    for (const auto& block : sums.of_block) sums.slope += block.slope;
+    NormalEquations prior;
+    add_range_prior(prior, range_offset, options.range_offset_sigma);
+    sums.slope = prior.information;
+    for (auto& block : sums.of_block) {
+        if (!(options.range_offset_sigma > 0.0)) hold_range_offset(block);
+        sums.slope += block.slope;
+    }
     LinkStatistics link;
     link.rms = sums.votes > 0.0 ? std::sqrt(sums.square / sums.votes) : 0.0;
-    link.covariance = covariance_of(sums, options.systematic_lean);
+    link.covariance = covariance_of(sums);
     return link;
 }
 

@@ -5,8 +5,11 @@
 
 namespace planum::scans {
 
+/// What is believed of the range offset before anything was compared: none, within this σ [m]. 0: none at all.
+void add_range_prior(NormalEquations& equations, double range_offset, double sigma);
+
 /// Gauss-Newton step, damped so little that only a direction nobody votes on stands still.
-[[nodiscard]] geometry::Vector6 damped_step(const NormalEquations& equations);
+[[nodiscard]] AlignmentVector damped_step(const NormalEquations& equations);
 
 struct LinkStatistics {
     geometry::Matrix6 covariance = geometry::Matrix6::Zero(); ///< infinite if it cannot be told
@@ -14,10 +17,10 @@ struct LinkStatistics {
 };
 
 /// Covariance from how the pose would move if one block of ground after the other did not vote (the jackknife over
-/// clusters, Efron and Tibshirani 1993), around the slope of the robust votes (Huber 1981), and what ground seen at a
-/// slant may lean.
+/// clusters, Efron and Tibshirani 1993), around the slope of the robust votes (Huber 1981). What the range offset
+/// leaves open is part of it.
 [[nodiscard]] LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& source,
-                                             const geometry::Rigid3& target_from_source,
+                                             const geometry::Rigid3& target_from_source, double range_offset,
                                              std::span<const SurfelMatch> matches, const PatchMap& map,
                                              const FineOptions& options);
 

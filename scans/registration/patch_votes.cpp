@@ -127,23 +127,61 @@ std::vector<Offset> block_offsets(const PatchMap& map, double between) {
     return blocks;
 }
 
-// What one patch alone does not show: ground that leans or creeps together, as beside a heap that grew.
+/// Blocks of which a good part lies a little off: shown by single patches, or by all of them together.
+std::vector<bool> crept_blocks(const PatchMap& map, const std::vector<Offset>& blocks, double scatter) {
+    constexpr double kGate = 3.0;        // standard deviations
+    constexpr double kShiftedPart = 0.2; // of the patches; by chance three of a thousand are off
+    constexpr int kShiftedPatches = 3;
+    std::vector<int> shifted(map.blocks, 0);
+    std::vector<int> stable(map.blocks, 0);
+    for (std::size_t i = 0; i < map.patches.size(); ++i) {
+        shifted[map.block_of[i]] += map.patches[i].state == PatchState::Shifted ? 1 : 0;
+        stable[map.block_of[i]] += map.patches[i].state == PatchState::Stable ? 1 : 0;
+    }
+    std::vector<bool> is_crept(map.blocks, false);
+    for (std::size_t b = 0; b < map.blocks; ++b) {
+        const double sigma = std::sqrt(blocks[b].variance + scatter * scatter);
+        const bool is_off = blocks[b].variance > 0.0 && std::abs(blocks[b].mean) > kGate * sigma;
+        is_crept[b] = is_off || (shifted[b] >= kShiftedPatches && shifted[b] > kShiftedPart * (shifted[b] + stable[b]));
+    }
+    return is_crept;
+}
+
+// What one patch alone does not show: ground that leans or creeps together, as beside a heap that grew. Such change has
+// no edge; where it becomes too little to be seen it is still there, so the blocks around do not vote either. All or
+// nothing: a weight that fell with the offset would make the votes look surer than they are.
 void judge_blocks(PatchMap& map, double between) {
-    constexpr double kGate = 3.0; // standard deviations, where a block votes no longer
     const std::vector<Offset> blocks = block_offsets(map, between);
     std::vector<Offset> voting;
     std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(voting),
                  [](const Offset& block) { return block.variance > 0.0; });
     const double scatter = scatter_between(voting);
+    const std::vector<bool> is_crept = crept_blocks(map, blocks, scatter);
+    std::vector<bool> is_silent = is_crept;
+    for (std::size_t b = 0; b < map.blocks; ++b) {
+        for (const auto beside : map.beside[b]) is_silent[b] = is_silent[b] || is_crept[beside];
+    }
     for (std::size_t i = 0; i < map.patches.size(); ++i) {
         Patch& patch = map.patches[i];
         if (patch.state != PatchState::Stable) continue;
         const Offset& block = blocks[map.block_of[i]];
-        const double variance = block.variance + scatter * scatter;
-        // All or nothing: a weight that fell with the offset would make the votes look surer than they are.
-        const bool is_off = std::abs(block.mean) > kGate * std::sqrt(variance);
+        const bool is_off = is_silent[map.block_of[i]];
         if (is_off) patch.state = PatchState::Shifted;
-        patch.weight *= is_off ? 0.0 : block.variance / variance;
+        patch.weight *= is_off ? 0.0 : block.variance / (block.variance + scatter * scatter);
+    }
+}
+
+void find_neighbours(PatchMap& map, const std::map<Key, std::uint32_t>& number) {
+    map.beside.resize(map.blocks);
+    for (const auto& [key, block] : number) {
+        for (std::int64_t x = key.x - 1; x <= key.x + 1; ++x) {
+            for (std::int64_t y = key.y - 1; y <= key.y + 1; ++y) {
+                for (std::int64_t z = key.z - 1; z <= key.z + 1; ++z) {
+                    const auto it = number.find({x, y, z, key.facing});
+                    if (it != number.end() && it->second != block) map.beside[block].push_back(it->second);
+                }
+            }
+        }
     }
 }
 
@@ -160,6 +198,7 @@ void gather_blocks(PatchMap& map, const std::vector<Key>& keys) {
         map.block_of.push_back(number.try_emplace(whole, static_cast<std::uint32_t>(number.size())).first->second);
     }
     map.blocks = number.size();
+    find_neighbours(map, number);
 }
 
 } // namespace

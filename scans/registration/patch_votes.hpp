@@ -13,7 +13,7 @@ namespace planum::scans {
 enum class PatchState : std::uint8_t {
     Stable,  ///< votes
     Changed, ///< most of it lies elsewhere now
-    Shifted, ///< all of it is a little higher or lower than the rest of the ground
+    Shifted, ///< all of it is a little higher or lower than the rest of the ground, or it lies beside such ground
     Thin,    ///< too few points to judge
 };
 
@@ -38,6 +38,7 @@ struct PatchMap {
     std::vector<Patch> patches;          ///< ordered by place
     std::vector<std::uint32_t> block_of; ///< one a patch: neighbours with one facing, several patches wide
     std::size_t blocks = 0;
+    std::vector<std::vector<std::uint32_t>> beside; ///< one a block: those that touch it and face as it does
 };
 
 [[nodiscard]] PatchMap make_patches(const SurfelCloud& target, double edge);

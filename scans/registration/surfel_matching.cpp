@@ -3,52 +3,72 @@
 
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "scans/registration/fixed_blocks.hpp"
 
 namespace planum::scans {
 
-using geometry::Matrix6;
 using geometry::Rigid3;
 
 namespace {
 
+/// Close to the end only the distance between the planes counts: what little pull there is along them comes from the
+/// pattern of the points, and two scans from one place have almost the same. Before, the distance in space counts.
 struct PairGeometry {
-    Eigen::Vector3d arm;   ///< from the source's origin, in target axes
-    Eigen::Vector3d apart; ///< source minus target
-    Eigen::Matrix3d inverse_spread;
+    Eigen::Vector3d arm;    ///< from the source's origin, in target axes
+    Eigen::Vector3d apart;  ///< source minus target
+    Eigen::Vector3d longer; ///< what apart grows by if all ranges do, per metre
+    bool is_plane = false;
+    Eigen::Vector3d normal;         ///< of both planes, their mean …
+    double precision = 0.0;         ///< … and the inverse variance of the distance along it; only of planes
+    Eigen::Matrix3d inverse_spread; ///< only of distances in space
+    double chi = 0.0;
 };
 
-PairGeometry geometry_of(const Surfel& target, const Surfel& source, const Rigid3& pose, double blur) {
+PairGeometry geometry_of(const Surfel& target, const Surfel& source, const Rigid3& pose, double blur,
+                         double range_offset) {
     PairGeometry pair;
     pair.arm = pose.rotation * source.position;
-    pair.apart = pair.arm + pose.translation - target.position;
+    pair.longer = pair.arm.normalized() - target.position.normalized();
+    pair.apart = pair.arm + pose.translation - target.position - range_offset * pair.longer;
     Eigen::Matrix3d spread = target.covariance;
     spread.noalias() += pose.rotation * source.covariance * pose.rotation.transpose();
     spread.diagonal().array() += blur * blur;
     if (blur > 0.0) {
         pair.inverse_spread = spread.inverse();
+        pair.chi = pair.apart.dot(pair.inverse_spread * pair.apart);
         return pair;
     }
-    // Close to the end only the distance between the planes counts: what little pull there is along them
-    // comes from the pattern of the points, and two scans from one place have almost the same.
     Eigen::Vector3d normal = pose.rotation * source.normal;
     if (normal.dot(target.normal) < 0.0) normal = -normal;
-    normal = (normal + target.normal).normalized();
-    pair.inverse_spread = normal * normal.transpose() / normal.dot(spread * normal);
+    pair.is_plane = true;
+    pair.normal = (normal + target.normal).normalized();
+    pair.precision = 1.0 / pair.normal.dot(spread * pair.normal);
+    const double distance = pair.normal.dot(pair.apart);
+    pair.chi = pair.precision * distance * distance;
     return pair;
 }
 
+// Upper triangle only.
 void add(NormalEquations& sum, const PairGeometry& pair, double weight) {
+    if (pair.is_plane) {
+        AlignmentVector slope;
+        slope << pair.arm.cross(pair.normal), pair.normal, -pair.normal.dot(pair.longer);
+        const double precision = weight * pair.precision;
+        sum.gradient.noalias() += precision * pair.normal.dot(pair.apart) * slope;
+        sum.information.selfadjointView<Eigen::Upper>().rankUpdate(slope, precision);
+        return;
+    }
     const Eigen::Matrix3d turn = -geometry::cross_matrix(pair.arm);
     const Eigen::Matrix3d m = weight * pair.inverse_spread;
     const Eigen::Matrix3d turned = turn.transpose() * m;
     sum.information.topLeftCorner<3, 3>().noalias() += turned * turn;
-    sum.information.topRightCorner<3, 3>() += turned;
-    sum.information.bottomRightCorner<3, 3>() += m;
+    sum.information.block<3, 3>(0, 3) += turned;
+    sum.information.block<3, 3>(3, 3) += m;
     sum.gradient.head<3>().noalias() += turned * pair.apart;
-    sum.gradient.tail<3>().noalias() += m * pair.apart;
+    sum.gradient.segment<3>(3).noalias() += m * pair.apart;
 }
 
 // The nearest flat surfel of the other cloud, if there is one within reach.
@@ -62,17 +82,21 @@ bool find(const Surfel& surfel, const SurfelCloud& other, const Rigid3& other_fr
 
 PairGeometry judge(SurfelMatch& match, const Surfel& target, const Surfel& source, const Rigid3& pose,
                    const MatchOptions& options) {
-    const PairGeometry pair = geometry_of(target, source, pose, options.blur);
-    const double chi = pair.apart.dot(pair.inverse_spread * pair.apart);
+    const PairGeometry pair = geometry_of(target, source, pose, options.blur, options.range_offset);
     const double facing = std::abs(target.normal.dot(pose.rotation * source.normal));
-    const bool agrees = chi < options.gate * options.gate && facing > options.least_facing;
+    const bool agrees = pair.chi < options.gate * options.gate && facing > options.least_facing;
     match.kind = agrees ? MatchKind::Agree : MatchKind::Disagree;
     match.offset = target.normal.dot(pair.apart);
-    match.variance = facing * facing / target.normal.dot(pair.inverse_spread * target.normal);
+    const double across = pair.is_plane ? target.normal.dot(pair.normal) : 0.0;
+    const double precision =
+        pair.is_plane ? across * across * pair.precision : target.normal.dot(pair.inverse_spread * target.normal);
+    match.variance = facing * facing / precision;
     return pair;
 }
 
-void mirror(Matrix6& m) { m.bottomLeftCorner<3, 3>() = m.topRightCorner<3, 3>().transpose(); }
+void mirror(AlignmentMatrix& m) {
+    m.triangularView<Eigen::StrictlyLower>() = m.transpose().eval().triangularView<Eigen::StrictlyLower>();
+}
 
 } // namespace
 
@@ -84,10 +108,10 @@ NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
     return *this;
 }
 
-NormalEquations equations_of(const Surfel& target, const Surfel& source, const Rigid3& target_from_source,
-                             double blur) {
+NormalEquations equations_of(const Surfel& target, const Surfel& source, const Rigid3& target_from_source, double blur,
+                             double range_offset) {
     NormalEquations sum;
-    add(sum, geometry_of(target, source, target_from_source, blur), 1.0);
+    add(sum, geometry_of(target, source, target_from_source, blur, range_offset), 1.0);
     mirror(sum.information);
     return sum;
 }
@@ -114,12 +138,11 @@ NormalEquations match_surfels(const SurfelCloud& target, const SurfelCloud& sour
             const Surfel& t = target.surfels[match.target];
             const PairGeometry pair = judge(match, t, source.surfels[match.source], target_from_source, options);
             if (match.kind == MatchKind::Disagree) continue;
-            const double chi = pair.apart.dot(pair.inverse_spread * pair.apart);
-            match.weight = width * width / ((width + chi) * (width + chi));
+            match.weight = width * width / ((width + pair.chi) * (width + pair.chi));
             const double weight = match.weight * (patch_of.empty() ? 1.0 : patch_weight[patch_of[match.target]]);
             if (weight <= 0.0) continue;
             add(sum, pair, weight);
-            sum.cost += weight * chi;
+            sum.cost += weight * pair.chi;
             sum.votes += weight;
         }
         sums[block] = sum;

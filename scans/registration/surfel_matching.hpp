@@ -25,6 +25,7 @@ struct MatchOptions {
     double gate = 4.0;         ///< largest distance in standard deviations that still votes
     MatchWays ways = MatchWays::Forward;
     int threads = 2;
+    double range_offset = 0.0; ///< by which all ranges of both scans are taken to be too long [m]
 };
 
 enum class MatchKind : std::uint8_t {
@@ -42,10 +43,14 @@ struct SurfelMatch {
     double variance = 0.0; ///< that the two surfels state for it [m²]
 };
 
-/// The normal equations of one Gauss-Newton step in the numbers of geometry::moved.
+/// The six numbers of geometry::moved, then the range offset [m].
+using AlignmentVector = Eigen::Matrix<double, 7, 1>;
+using AlignmentMatrix = Eigen::Matrix<double, 7, 7>;
+
+/// The normal equations of one Gauss-Newton step.
 struct NormalEquations {
-    geometry::Matrix6 information = geometry::Matrix6::Zero();
-    geometry::Vector6 gradient = geometry::Vector6::Zero();
+    AlignmentMatrix information = AlignmentMatrix::Zero();
+    AlignmentVector gradient = AlignmentVector::Zero();
     double cost = 0.0;
     double votes = 0.0; ///< sum of the weights
 
@@ -54,12 +59,13 @@ struct NormalEquations {
 
 /// What one pair of surfels adds, with weight 1.
 [[nodiscard]] NormalEquations equations_of(const Surfel& target, const Surfel& source,
-                                           const geometry::Rigid3& target_from_source, double blur);
+                                           const geometry::Rigid3& target_from_source, double blur,
+                                           double range_offset);
 
 /// Plane-to-plane (Segal, Haehnel, Thrun 2009) with covariances in metres: every source surfel against its
 /// nearest target surfel, weighted by Geman-McClure within the gate, times the weight of its target's
-/// patch (patch_of[target surfel] → patch_weight; both empty: 1). Fills `matches`: one a source surfel, then,
-/// if asked for, one a target surfel.
+/// patch (patch_of[target surfel] → patch_weight; both empty: 1). With blur the range offset has no vote. Fills
+/// `matches`: one a source surfel, then, if asked for, one a target surfel.
 [[nodiscard]] NormalEquations match_surfels(const SurfelCloud& target, const SurfelCloud& source,
                                             const geometry::Rigid3& target_from_source, const MatchOptions& options,
                                             std::span<const std::uint32_t> patch_of,
