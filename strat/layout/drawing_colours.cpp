@@ -69,7 +69,7 @@ StrokeStyle style_of(const DrawnLine& line) noexcept {
         style.width = 1.4;
     }
     if (line.in_cycle || (line.upwards && line.mark == Mark::None)) {
-        style.colour = kAlarm;
+        style.colour = line.in_cycle ? kAlarm : kAgainst;
         style.width = 1.1;
     }
     if (line.uncertain) style.dash = Dash::Dashed;

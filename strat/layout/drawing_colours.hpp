@@ -31,7 +31,8 @@ inline constexpr Colour kLineInk = 0x3b3a36;   ///< outlines and lines
 inline constexpr Colour kBandShade = 0xf4f1ea; ///< every second band
 inline constexpr Colour kBandEdge = 0xc9c2b3;
 inline constexpr Colour kFrameEdge = 0x8a9bb0;
-inline constexpr Colour kAlarm = 0xc1121f; ///< cycles
+inline constexpr Colour kAlarm = 0xc1121f;   ///< cycles
+inline constexpr Colour kAgainst = 0xa35a00; ///< orders against the phases
 inline constexpr Colour kPaper = 0xffffff;
 
 /// Length of dashes and gaps [pt].

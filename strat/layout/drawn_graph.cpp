@@ -246,6 +246,7 @@ class GraphMaker {
 
     void choose_bands() {
         Bands bands = request_.options.bands;
+        const bool asked = bands != Bands::Automatic;
         if (request_.options.fold != Fold::None || bands == Bands::None) return;
         const std::vector<std::int32_t> phases = fold_keys(record_, Fold::Phases);
         const std::vector<std::int32_t> periods = fold_keys(record_, Fold::Periods);
@@ -259,6 +260,22 @@ class GraphMaker {
             }
         }
         make_bands(bands, bands == Bands::Phases ? phases : periods);
+        if (asked || !many_against_bands()) return;
+        graph_.bands.clear();
+        for (GraphBox& b : graph_.boxes) b.band = kNoBand;
+    }
+
+    // Each order against the bands is a line upwards around the others: a few show what to look at, many leave
+    // nothing to be seen of the sequence.
+    [[nodiscard]] bool many_against_bands() const {
+        constexpr std::size_t kOneIn = 20;
+        std::size_t against = 0;
+        for (const GraphOrder& o : graph_.orders) {
+            const std::int32_t later = graph_.boxes[o.later].band;
+            const std::int32_t earlier = graph_.boxes[o.earlier].band;
+            if (later != kNoBand && earlier != kNoBand && later > earlier) ++against;
+        }
+        return against * kOneIn > graph_.orders.size();
     }
 
     // Time of a phase or period for sorting: ranks first, then years, then the number.

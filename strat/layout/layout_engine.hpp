@@ -15,7 +15,8 @@
 namespace planum::strat {
 
 /// Strips across the drawing. Automatic: phases, else periods, if four of five drawn units have one, there
-/// are at most sixteen with three units or so each, and each has a rank or years.
+/// are at most sixteen with three units or so each, each has a rank or years, and no more than one order in
+/// twenty runs against them.
 enum class Bands { Automatic, None, Phases, Periods };
 
 /// What is drawn as one box in place of its units.

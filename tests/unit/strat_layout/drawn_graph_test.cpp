@@ -93,6 +93,22 @@ TEST_CASE("Phases for every unit or two are no bands unless asked for") {
     CHECK(graph_of(builder.record(), options).bands.size() == 5);
 }
 
+TEST_CASE("Phases that many orders run against are no bands unless asked for") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("4", "5").above("5", "6");
+    builder.phase("1", "a", 1).phase("2", "a", 1).phase("3", "a", 1);
+    builder.phase("4", "b", 2).phase("5", "b", 2).phase("6", "b", 2);
+    CHECK(graph_of(builder.record()).bands.empty());
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    CHECK(graph_of(builder.record(), options).bands.size() == 2);
+    // One in twenty may.
+    for (int i = 0; i < 20; ++i) {
+        const std::string number = std::to_string(100 + i);
+        builder.above("3", number).phase(number, "a", 1);
+    }
+    CHECK(graph_of(builder.record()).bands.size() == 2);
+}
+
 TEST_CASE("An order is uncertain only if nothing certain says it") {
     using model::Certainty;
     using model::RelationKind;
