@@ -33,6 +33,55 @@ struct Component {
     std::int32_t level = 0;
 };
 
+// Moves single nodes along their levels.
+class LevelSwitcher {
+  public:
+    explicit LevelSwitcher(LayeredGraph& graph)
+        : g_(graph), up_(neighbours_above(graph)), down_(neighbours_below(graph)), place_(graph.nodes, 0) {
+        for (std::size_t l = 0; l < g_.layers.size(); ++l) number(l);
+    }
+
+    // Towards `target` on the same level, to the nearest place where no more edges cross than now.
+    void draw_near(std::size_t level, std::uint32_t node, std::uint32_t target) {
+        std::vector<std::uint32_t>& layer = g_.layers[level];
+        const auto from = static_cast<std::ptrdiff_t>(place_[node]);
+        const std::ptrdiff_t step = place_[target] < place_[node] ? -1 : 1;
+        std::int64_t more = 0;
+        std::ptrdiff_t to = from;
+        for (std::ptrdiff_t at = from + step; layer[static_cast<std::size_t>(at)] != target; at += step) {
+            const std::uint32_t passed = layer[static_cast<std::size_t>(at)];
+            more += step > 0 ? crossings(passed, node) - crossings(node, passed)
+                             : crossings(node, passed) - crossings(passed, node);
+            if (more <= 0) to = at;
+        }
+        layer.erase(layer.begin() + from);
+        layer.insert(layer.begin() + to, node);
+        number(level);
+    }
+
+  private:
+    void number(std::size_t level) {
+        for (std::size_t i = 0; i < g_.layers[level].size(); ++i)
+            place_[g_.layers[level][i]] = static_cast<std::uint32_t>(i);
+    }
+
+    // Of the edges of two nodes of a level, `left` standing left of `right`.
+    [[nodiscard]] std::int64_t crossings(std::uint32_t left, std::uint32_t right) const {
+        std::int64_t count = 0;
+        for (const Adjacency* side : {&up_, &down_}) {
+            for (const std::uint32_t a : side->row(left)) {
+                for (const std::uint32_t b : side->row(right)) count += place_[a] > place_[b] ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    LayeredGraph& g_;
+    Adjacency up_;
+    Adjacency down_;
+    std::vector<std::uint32_t> place_; // by node, within its level
+};
+
 class Layerer {
   public:
     Layerer(const DrawnGraph& graph, const Ranking& ranking, const std::vector<Net>& nets, Progress& progress)
@@ -207,17 +256,32 @@ class Layerer {
         return edges;
     }
 
-    // The ends of an upward line lean on the neighbours of the boxes they go around.
+    // The ends of an upward line lean on the neighbours of the boxes they go around: where there are none beyond a
+    // box, on those on the other side of it.
     void add_leanings(std::size_t index, std::vector<Edge>& edges) const {
         const std::size_t ordinary = edges.size();
         for (const std::uint32_t i : paths_of_[index]) {
             const LayeredMatrix::Path& path = out_.paths[i];
             if (!path.upwards) continue;
-            for (std::size_t e = 0; e < ordinary; ++e) {
-                if (edges[e].first == path.nodes.front()) edges.push_back({path.nodes[1], edges[e].second});
-                if (edges[e].second == path.nodes.back())
-                    edges.push_back({edges[e].first, path.nodes[path.nodes.size() - 2]});
-            }
+            const std::uint32_t later = path.nodes.front();
+            const std::uint32_t earlier = path.nodes.back();
+            const std::uint32_t low = path.nodes[1]; // on the level of `later`, which stands below
+            const std::uint32_t high = path.nodes[path.nodes.size() - 2];
+            const std::size_t before = edges.size();
+            lean(edges, ordinary, later, low, true);
+            if (edges.size() == before) lean(edges, ordinary, later, low, false);
+            const std::size_t between = edges.size();
+            lean(edges, ordinary, earlier, high, false);
+            if (edges.size() == between) lean(edges, ordinary, earlier, high, true);
+        }
+    }
+
+    // Gives the line node the neighbours below or above the box.
+    static void lean(std::vector<Edge>& edges, std::size_t ordinary, std::uint32_t box, std::uint32_t line,
+                     bool below) {
+        for (std::size_t e = 0; e < ordinary; ++e) {
+            if (below && edges[e].first == box) edges.push_back({line, edges[e].second});
+            if (!below && edges[e].second == box) edges.push_back({edges[e].first, line});
         }
     }
 
@@ -241,6 +305,7 @@ class Layerer {
         OrderOptions options;
         options.keep_given = sort_as_before(component, g);
         order_layers(g, options, progress_);
+        draw_in_upward_ends(g, component, index);
         if (!graph_.groups.empty()) order_groups(g, groups_in(component), progress_);
         // From here on the component's nodes stand level by level, left to right.
         std::vector<std::uint32_t> nodes;
@@ -249,6 +314,24 @@ class Layerer {
             for (const std::uint32_t i : layer) nodes.push_back(component.nodes[i]);
         }
         component.nodes = std::move(nodes);
+    }
+
+    // The ends of upward lines go as near to their boxes as they can without crossing more: nothing else holds them
+    // there, since they join nothing on the levels above and below.
+    void draw_in_upward_ends(LayeredGraph& g, const Component& component, std::size_t index) const {
+        const auto upwards = [&](std::uint32_t i) { return out_.paths[i].upwards; };
+        if (std::none_of(paths_of_[index].begin(), paths_of_[index].end(), upwards)) return;
+        LevelSwitcher switcher(g);
+        for (const std::uint32_t i : paths_of_[index]) {
+            const LayeredMatrix::Path& path = out_.paths[i];
+            if (!path.upwards) continue;
+            const std::size_t last = path.nodes.size() - 1;
+            for (const std::size_t end : {std::size_t{1}, last - 1}) {
+                const std::uint32_t box = path.nodes[end == 1 ? 0 : last];
+                const auto level = static_cast<std::size_t>(out_.nodes[box].level);
+                switcher.draw_near(level, local_[path.nodes[end]], local_[box]);
+            }
+        }
     }
 
     [[nodiscard]] NodeGroups groups_in(const Component& component) const {

@@ -69,6 +69,26 @@ TEST_CASE("Two units each above the other are both lines, one down, one up") {
     CHECK(broken_law(record, drawing_of(record)).empty());
 }
 
+TEST_CASE("The upward line of a cycle stands beside its boxes, not beyond what else is on their levels") {
+    auto builder = a_matrix().above("143", "144").above("144", "143");
+    for (const char* above : {"78", "171", "141"}) builder.above(above, "144");
+    for (const char* below : {"141", "127", "128", "221", "150"}) builder.above("122", below);
+    const MatrixDrawing drawing = drawing_of(builder.record());
+    const auto upward =
+        std::find_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.upwards; });
+    REQUIRE(upward != drawing.lines.end());
+    double left = 1e9;
+    double right = -1e9;
+    for (const std::size_t end : {upward->later, upward->earlier}) {
+        left = std::min(left, drawing.boxes[end].rect.x);
+        right = std::max(right, drawing.boxes[end].rect.right());
+    }
+    for (const DrawPoint& p : upward->points) {
+        CHECK(p.x > left - 30.0); // less than a box further out
+        CHECK(p.x < right + 30.0);
+    }
+}
+
 TEST_CASE("Contemporary units stand on one level unless an order contradicts") {
     using model::RelationKind;
     auto builder = a_matrix().above("1", "2").above("2", "3").above("1", "4").above("4", "5").above("3", "5");
