@@ -180,12 +180,14 @@ class Placer : public LevelNeighbours {
         return leftwards ? sides.left + inside : sides.right - inside;
     }
 
-    // Long lines first of all straight, then boxes that have only each other.
+    // Long lines first of all straight, into and out of boxes where they are the only ones there, then boxes that have
+    // only each other.
     [[nodiscard]] std::int32_t weight_of(std::uint32_t upper, std::uint32_t lower) const {
         const int lines = (extents_[upper].is_line ? 1 : 0) + (extents_[lower].is_line ? 1 : 0);
-        if (lines == 2) return 8;
+        if (lines == 2) return 16;
         const bool pair = down_.row(upper).size() == 1 && up_.row(lower).size() == 1;
-        return pair ? 4 : lines == 1 ? 2 : 1;
+        if (pair) return lines == 1 ? 16 : 4;
+        return lines == 1 ? 2 : 1;
     }
 
     [[nodiscard]] std::vector<std::vector<std::uint32_t>> straight_runs(const std::vector<double>& x) const {
