@@ -123,8 +123,10 @@ int run_desktop(int argc, char** argv) {
         const Arguments arguments = read_arguments(given);
         if (arguments.help) return std::cout << arguments.help_text.toStdString(), 0;
         if (arguments.version) return std::cout << "planum-desktop " PLANUM_VERSION "\n", 0;
-        // A picture needs no display, and must not fail for a wrong one.
-        if (picture && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+        // A picture needs no display, and must not fail for a wrong one; 3D alone cannot do without.
+        const bool wants_display = arguments.screenshot.view == "3d" && qEnvironmentVariableIsSet("DISPLAY");
+        if (picture && !wants_display && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+            qputenv("QT_QPA_PLATFORM", "offscreen");
         // What Qt finds missing where there is no display is nobody's concern.
         if (picture) qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
         QApplication application(argc, argv);

@@ -114,6 +114,7 @@ struct SceneRenderer::Gl {
     }
 
     void upload(Buffer& buffer, const std::vector<PointVertex>& vertices, const Eigen::Vector3d& origin) {
+        if (f == nullptr) return; // the driver refused
         QOpenGLVertexArrayObject::Binder bind(&buffer.layout);
         buffer.vertices.bind();
         buffer.vertices.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(PointVertex)));
@@ -233,7 +234,6 @@ SceneRenderer::~SceneRenderer() {
 void SceneRenderer::initialise() {
     QOpenGLContext* context = QOpenGLContext::currentContext();
     if (context == nullptr) throw Error(ErrorCode::Io, "there is no OpenGL here");
-    gl_->f = context->extraFunctions();
     gl_->link(gl_->points, kPointVertex, kPointFragment);
     gl_->link(gl_->dome, kWholeVertex, kDomeFragment);
     gl_->nothing.create();
@@ -242,6 +242,7 @@ void SceneRenderer::initialise() {
         buffer.vertices.create();
         buffer.vertices.setUsagePattern(QOpenGLBuffer::DynamicDraw);
     }
+    gl_->f = context->extraFunctions(); // last: without it nothing is drawn or kept
 }
 
 void SceneRenderer::set_points(Slot slot, const PointSet& points) {

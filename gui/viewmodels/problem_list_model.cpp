@@ -211,7 +211,10 @@ QString ProblemListModel::summary() const {
     const int errors = count(model::Severity::Error);
     const int warnings = count(model::Severity::Warning);
     const int remarks = count(model::Severity::Info);
-    if (errors + warnings + remarks == 0) return tr("nothing contradicts anything");
+    if (errors + warnings == 0) {
+        const QString well = tr("nothing contradicts anything");
+        return remarks == 0 ? well : well + QStringLiteral(", ") + tr("%n remark(s)", nullptr, remarks);
+    }
     return QStringList{tr("%n error(s)", nullptr, errors), tr("%n warning(s)", nullptr, warnings),
                        tr("%n remark(s)", nullptr, remarks)}
         .join(QStringLiteral(", "));

@@ -38,6 +38,24 @@ QPainterPath path_of(const RegionShape& shape, const QTransform& view) {
     return path;
 }
 
+// The nearest place for a number that hides nothing, in its region if there is one; where all is full, the first.
+QRectF moved_aside(const QRectF& box, const QPainterPath& region, const QList<QRectF>& taken) {
+    const double up = box.height() + 4.0;
+    const double aside = 0.6 * box.width();
+    QRectF outside = box;
+    for (const double dy : {0.0, -up, up, -2.0 * up, 2.0 * up, -3.0 * up, 3.0 * up}) {
+        for (const double dx : {0.0, -aside, aside, -2.0 * aside, 2.0 * aside}) {
+            const QRectF there = box.translated(dx, dy);
+            const bool is_free =
+                std::none_of(taken.begin(), taken.end(), [&](const QRectF& one) { return one.intersects(there); });
+            if (!is_free) continue;
+            if (region.contains(there.center()) || there == box) return there;
+            if (outside == box) outside = there;
+        }
+    }
+    return outside;
+}
+
 } // namespace
 
 FlatCanvas::FlatCanvas(Models& models, const QString& name, Up up) : models_(models), name_(name), up_(up) {
@@ -105,6 +123,12 @@ void FlatCanvas::paint_shapes(QPainter& painter) const {
                             in_proof || selected ? 3.0 : std::max(1.2, theme().least_line()), look.dashed));
         painter.drawPath(path_of(shape, to_px));
     }
+}
+
+// Numbers stand in the middle of their region, or beside it where a mark lies that they would hide.
+void FlatCanvas::paint_labels(QPainter& painter) const {
+    const QTransform to_px = view();
+    QList<QRectF> taken = kept_free();
     const QFont plain = painter.font();
     QFont font = plain;
     font.setWeight(QFont::DemiBold);
@@ -116,8 +140,10 @@ void FlatCanvas::paint_shapes(QPainter& painter) const {
         box.translate(-box.width() / 2.0, metrics.ascent() / 2.0 - 1.0);
         const QRectF around = to_px.mapRect(bounds_of(std::vector<RegionShape>{shape}));
         if (around.width() < box.width() * 0.7 || around.height() < box.height() * 0.5) continue;
+        box = moved_aside(box, path_of(shape, to_px), taken);
+        taken << box.adjusted(-4.0, -1.0, 4.0, 1.0);
         QColor ground = theme().paper;
-        ground.setAlphaF(0.8F);
+        ground.setAlphaF(0.85F);
         painter.setPen(Qt::NoPen);
         painter.setBrush(ground);
         painter.drawRoundedRect(box.adjusted(-4.0, -1.0, 4.0, 1.0), 3.0, 3.0);
@@ -164,6 +190,7 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     paint_shapes(painter);
     paint_over(painter);
+    paint_labels(painter);
     paint_tool(painter);
 }
 

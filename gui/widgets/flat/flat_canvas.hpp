@@ -48,6 +48,10 @@ class FlatCanvas : public QWidget {
     virtual void paint_ground(QPainter& painter, const QRectF& seen) = 0;
     /// What lies above them; the painter is in pixels of the screen.
     virtual void paint_over(QPainter& painter) = 0;
+
+    /// What numbers of regions shall not hide, on the screen [px].
+    [[nodiscard]] virtual QList<QRectF> kept_free() const { return {}; }
+
     /// What fit() shows; null: nothing yet.
     [[nodiscard]] virtual QRectF extent() const = 0;
     /// Shown where there is nothing to see.
@@ -68,6 +72,7 @@ class FlatCanvas : public QWidget {
   private:
     [[nodiscard]] QTransform view() const;
     void paint_shapes(QPainter& painter) const;
+    void paint_labels(QPainter& painter) const;
     void paint_tool(QPainter& painter) const;
     [[nodiscard]] bool is_drawing() const;
     [[nodiscard]] QPointF snapped(QPointF on_screen) const;

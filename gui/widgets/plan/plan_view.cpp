@@ -92,6 +92,18 @@ void PlanCanvas::paint_ground(QPainter& painter, const QRectF& seen) {
     }
 }
 
+QList<QRectF> PlanCanvas::kept_free() const {
+    constexpr qsizetype kMany = 400; // then the plan is full whatever the numbers do
+    QList<QRectF> taken;
+    if (static_cast<qsizetype>(marks_.size()) > kMany) return taken;
+    const QFontMetricsF metrics(font());
+    for (const Mark& mark : marks_) {
+        const QPointF at = to_screen(mark.place);
+        taken << QRectF(at.x() - 7.0, at.y() - 8.0, 18.0 + metrics.horizontalAdvance(mark.label), 16.0);
+    }
+    return taken;
+}
+
 void PlanCanvas::paint_marks(QPainter& painter) {
     for (const Mark& mark : marks_) {
         const QPointF at = to_screen(mark.place);

@@ -21,6 +21,8 @@ class PlanCanvas : public FlatCanvas {
     void paint_ground(QPainter& painter, const QRectF& seen) override;
     void paint_over(QPainter& painter) override;
 
+    [[nodiscard]] QList<QRectF> kept_free() const override;
+
     [[nodiscard]] QRectF extent() const override { return extent_; }
 
     [[nodiscard]] QString empty_text() const override;
