@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/context.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -67,6 +69,12 @@ ordered_json numbers_or_null(const app::ListedScan& scan) {
     return scan.site_from_scan;
 }
 
+// Letters of UTF-8 text: bytes that begin one.
+std::size_t letters(const std::string& name) {
+    return static_cast<std::size_t>(std::count_if(
+        name.begin(), name.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
 void run_list(const Context& context) {
     app::Project project = context.open(OpenMode::ReadOnly);
     const std::vector<app::ListedScan> scans = app::list_scans(project);
@@ -91,8 +99,10 @@ void run_list(const Context& context) {
         }
         return context.print({{"scans", all}});
     }
+    std::size_t width = 28;
+    for (const app::ListedScan& scan : scans) width = std::max(width, letters(scan.scan));
     for (const app::ListedScan& scan : scans) {
-        std::string line = fmt::format("{:<28} {:>12} points  {}", scan.scan, scan.points, scan.status);
+        std::string line = fmt::format("{:<{}} {:>12} points  {}", scan.scan, width, scan.points, scan.status);
         if (scan.status == "registered") {
             line += fmt::format(", rms {:.1f} mm, position within {:.1f} mm, turn within {:.3f} degrees",
                                 scan.rms * 1e3, scan.sigma_position * 1e3, scan.sigma_rotation_deg);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/context.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -75,16 +76,20 @@ ordered_json to_json(const app::HeightsReport& made) {
             {"disputed", disputed}};
 }
 
+// What rounds to nothing is nothing, whatever its sign: "-0.000 m³" reads like a mistake.
+double rounded(double cubic_metres) { return std::abs(cubic_metres) < 0.0005 ? 0.0 : cubic_metres; }
+
 void print_units(const Context& context, const std::vector<app::EarthOfUnit>& units) {
     for (const app::EarthOfUnit& one : units) {
         const std::string name = one.unit.empty() ? "outside all outlines" : one.unit;
-        *context.out << fmt::format("  {:<20} {:9.3f} m³  within {:.3f} m³\n", name, one.earth.net, one.earth.bound);
+        *context.out << fmt::format("  {:<20} {:9.3f} m³  within {:.3f} m³\n", name, rounded(one.earth.net),
+                                    one.earth.bound);
     }
 }
 
 void print_step(const Context& context, const app::EarthStep& step) {
     *context.out << fmt::format("{} to {}: {:.3f} m³ dug, within {:.3f} m³ (95 %), on {:.2f} m²", step.before,
-                                step.after, step.total.net, step.total.bound, step.total.area);
+                                step.after, rounded(step.total.net), step.total.bound, step.total.area);
     if (step.filled > 0.005)
         *context.out << fmt::format(", {:.2f} m² of them without ground that was seen", step.filled);
     *context.out << '\n';
@@ -152,7 +157,7 @@ void run_volumes(const Context& context, const Arguments& arguments) {
     }
     for (const app::EarthStep& step : earth.steps) print_step(context, step);
     if (earth.steps.size() > 1) {
-        *context.out << fmt::format("in total {:.3f} m³ dug, within {:.3f} m³ (95 %)\n", earth.total.net,
+        *context.out << fmt::format("in total {:.3f} m³ dug, within {:.3f} m³ (95 %)\n", rounded(earth.total.net),
                                     earth.total.bound);
         print_units(context, earth.units);
     }

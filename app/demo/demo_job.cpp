@@ -2,8 +2,12 @@
 #include "app/demo/demo_job.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
+#include <system_error>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "app/checks/daily_check.hpp"
 #include "app/drawing/draw_matrix.hpp"
@@ -17,6 +21,7 @@
 #include "app/scans/list_scans.hpp"
 #include "app/scans/panorama_file.hpp"
 #include "app/scans/take_over_scans.hpp"
+#include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/whole_progress.hpp"
 #include "strat/layout/svg_writer.hpp"
@@ -83,10 +88,34 @@ DemoShares shares_of(demo::DemoSize size) {
     return {};
 }
 
+// Where the folder will be made: the deepest of its parents that is there.
+std::uintmax_t room_for(const fs::path& folder) {
+    fs::path there = fs::absolute(folder);
+    while (there.has_relative_path() && !fs::exists(there)) there = there.parent_path();
+    std::error_code unknown;
+    const std::uintmax_t available = fs::space(there, unknown).available;
+    return unknown ? std::numeric_limits<std::uintmax_t>::max() : available; // then writing will tell
+}
+
 } // namespace
+
+void require_room_for_demo(demo::DemoSize size, std::uintmax_t available) {
+    constexpr std::uintmax_t kMegabyte = 1'000'000;
+    // Measured over the three methods (small 70 MB, medium 420 MB, large 11 GB), with a tenth to spare.
+    std::uintmax_t need = 100 * kMegabyte;
+    if (size == demo::DemoSize::Medium) need = 600 * kMegabyte;
+    if (size == demo::DemoSize::Large) need = 12'000 * kMegabyte;
+    if (available >= need) return;
+    throw Error(
+        ErrorCode::Io,
+        fmt::format("a sample dig of this size needs about {} MB and the disk has {} MB free; nothing was made. "
+                    "Free some space, choose another folder or a smaller --size",
+                    need / kMegabyte, available / kMegabyte));
+}
 
 DemoJob run_demo_job(const fs::path& folder, const demo::SimulationOptions& options, const Session& session,
                      const strat::TextMeasure& measure, Progress& outer) {
+    require_room_for_demo(options.size, room_for(folder));
     DemoJob job;
     WholeProgress progress(outer, "making the sample dig " + folder.filename().string());
     const DemoShares shares = shares_of(options.size);
