@@ -104,7 +104,7 @@ void run_list(const Context& context) {
     for (const app::ListedScan& scan : scans) {
         std::string line = fmt::format("{:<{}} {:>12} points  {}", scan.scan, width, scan.points, scan.status);
         if (scan.status == "registered") {
-            line += fmt::format(", rms {:.1f} mm, position within {:.1f} mm, turn within {:.3f} degrees",
+            line += fmt::format(", rms {:5.1f} mm, position within {:5.1f} mm, turn within {:.3f} degrees",
                                 scan.rms * 1e3, scan.sigma_position * 1e3, scan.sigma_rotation_deg);
         }
         if (!scan.verdict.empty() && context.verbose) line += " (" + scan.verdict + ")";
