@@ -11,6 +11,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
+#include "strat/exchange/record_builder.hpp"
+#include "strat/exchange/text_limits.hpp"
 
 namespace planum::strat {
 
@@ -107,7 +109,17 @@ InputFile load_input_file(const std::filesystem::path& file) {
     input.name = file.filename().string();
     std::error_code problem;
     input.is_database = std::filesystem::is_regular_file(file, problem) && is_sqlite(file);
-    if (!input.is_database) input.bytes = read_file(file, kMaxRecordFile);
+    if (input.is_database) return input;
+    const std::uintmax_t size = std::filesystem::file_size(file, problem);
+    if (!problem && size > kMaxRecordFile) {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("{}: {} MB, more than the {} MB that one file of a record may have; look whether this "
+                                "is the right file, or split it and import the parts together",
+                                input.name, size / 1000000, kMaxRecordFile / 1000000));
+    }
+    input.bytes = read_file(file, kMaxRecordFile);
+    // Of binaries a reader says what they are not.
+    if (is_probably_text(input.bytes)) refuse_endless_text(input.bytes, input.name);
     return input;
 }
 

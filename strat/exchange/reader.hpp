@@ -56,7 +56,8 @@ struct Reader {
 /// All readers, in the order in which they are asked.
 [[nodiscard]] std::span<const Reader> all_readers();
 
-/// Reads a file for the readers: at most kMaxRecordFile bytes, databases only by their header.
+/// Reads a file for the readers: at most kMaxRecordFile bytes, no endless lines (text_limits.hpp), databases only by
+/// their header. Throws BadInput naming the file, and the line.
 [[nodiscard]] InputFile load_input_file(const std::filesystem::path& file);
 
 /// One set of files that one reader will read together.

@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "strat/exchange/delimited_table.hpp"
 #include "strat/exchange/record_builder.hpp"
+#include "strat/exchange/text_limits.hpp"
 
 namespace planum::strat {
 
@@ -36,6 +37,7 @@ XmlInput::XmlInput(std::string_view bytes, std::string_view file_name, std::stri
     if (!is_probably_text(bytes)) {
         throw Error(ErrorCode::BadInput, fmt::format("{}: binary, not {}", file_name, what));
     }
+    refuse_endless_text(bytes, file_name); // again: this may come out of an archive
     DecodedText decoded = decode_text(bytes, file_name);
     notes_ = std::move(decoded.notes);
     if (std::count(decoded.text.begin(), decoded.text.end(), '<') > kMaxElements) {

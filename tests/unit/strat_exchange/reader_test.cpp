@@ -61,8 +61,30 @@ TEST_CASE("A file larger than a record may be is refused before it is read") {
         FAIL("a 1 GB line was read");
     } catch (const Error& error) {
         CHECK(error.code() == ErrorCode::BadInput);
-        CHECK_THAT(error.what(), Contains("long.csv") && Contains("MB"));
+        CHECK_THAT(error.what(), Contains("long.csv") && Contains("MB") && Contains("split it"));
     }
+}
+
+TEST_CASE("An endless line is refused by file and line before it is decoded") {
+    const test::TemporaryFolder folder;
+    const std::string endless((16U << 20U) + 1, 'a');
+    const auto refusal = [&](const std::string& name, const std::string& bytes) -> std::string {
+        try {
+            (void)load_input_file(folder.write(name, bytes));
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::BadInput);
+            return error.what();
+        }
+        return {};
+    };
+    CHECK_THAT(refusal("a.csv", "unit,title\n1,b\n2," + endless + "\n"), Contains("a.csv: line 3: a line of 16 MB"));
+    CHECK_THAT(refusal("b.lst", "t\n\nName\n" + endless), Contains("b.lst: line 4: a line"));
+    CHECK_THAT(refusal("c.json", "{\"units\":\n[\"" + endless + "\"]}"), Contains("c.json: line 2: a value"));
+    CHECK_THAT(refusal("d.graphml", "<graphml>" + endless + "</graphml>"), Contains("d.graphml: line 1: a value"));
+    std::string one_line = "[";
+    while (one_line.size() < endless.size()) one_line += "\"a\",";
+    CHECK(refusal("e.json", one_line + "1]").empty());
+    CHECK(refusal("f.csv", "unit,title\n1," + endless.substr(3) + "\n").empty());
 }
 
 TEST_CASE("A database is known by its header and left on disk") {
