@@ -55,6 +55,12 @@ void warn_of_cycle(const Context& context, app::Project& project, const RecordKi
     std::vector<std::string> names;
     for (const model::UnitId unit : cycle) names.push_back(project.index().name(unit));
     names.push_back(names.front());
+    constexpr std::size_t kShown = 6; // at both ends: a cycle through hundreds fills a screen and says nothing
+    if (names.size() > 2 * kShown + 2) {
+        const std::size_t between = names.size() - 2 * kShown;
+        names.erase(names.begin() + kShown, names.end() - kShown);
+        names.insert(names.begin() + kShown, fmt::format("({} more)", between));
+    }
     context.say(fmt::format("warning: this closes a cycle: {}; planum check says which statement to suspect",
                             text::join(names, " over ")));
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/records/field_table.hpp"
 
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
 #include "app/records/relation_entry.hpp"
 
 namespace planum::app {
@@ -51,12 +55,16 @@ class RelationRecordKind final : public FieldTableKind<PhysicalRelation> {
 
     [[nodiscard]] const PhysicalRelation& find(Project& project, const std::string& name) const override {
         const SaidRelation said = parse_relation(project, name);
-        for (const PhysicalRelation& relation : project.record().relations) {
-            if (relation.subject == said.subject && relation.kind == said.kind && relation.object == said.object) {
-                return relation;
-            }
-        }
-        throw Error(ErrorCode::NotFound, "no relation " + name);
+        const model::RecordIndex& index = project.index();
+        const auto key = [&](const auto& one) {
+            return std::tuple(index.find(one.subject), index.find(one.object), one.kind);
+        };
+        // Records keep relations in this order; a walk through all for each of 100,000 listed takes seconds.
+        const std::vector<PhysicalRelation>& all = project.record().relations;
+        const auto at = std::lower_bound(all.begin(), all.end(), key(said),
+                                         [&](const PhysicalRelation& r, const auto& k) { return key(r) < k; });
+        if (at == all.end() || key(*at) != key(said)) throw Error(ErrorCode::NotFound, "no relation " + name);
+        return *at;
     }
 };
 

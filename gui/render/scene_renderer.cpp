@@ -11,6 +11,7 @@
 #include <QVector3D>
 
 #include <array>
+#include <initializer_list>
 
 #include "core/base/error.hpp"
 
@@ -132,10 +133,10 @@ struct SceneRenderer::Gl {
         f->glGenTextures(1, &made);
         f->glBindTexture(GL_TEXTURE_2D, made);
         f->glTexImage2D(GL_TEXTURE_2D, 0, inside, width, height, 0, format, type, nullptr);
-        for (const GLenum parameter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+        for (const GLenum parameter : std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
             f->glTexParameteri(GL_TEXTURE_2D, parameter, GL_NEAREST);
         }
-        for (const GLenum parameter : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+        for (const GLenum parameter : std::initializer_list<GLenum>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
             f->glTexParameteri(GL_TEXTURE_2D, parameter, GL_CLAMP_TO_EDGE);
         }
         return made;
