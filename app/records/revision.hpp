@@ -21,8 +21,7 @@ void withdraw_relation(Project& project, model::RelationId id, std::string_view 
 void mark_uncertain(Project& project, model::RelationId id, std::string_view because);
 
 /// It was another: `instead` takes its place (or one more statement where it is there already).
-void replace_relation(Project& project, model::RelationId id, const SaidRelation& instead,
-                      std::string_view because);
+void replace_relation(Project& project, model::RelationId id, const SaidRelation& instead, std::string_view because);
 
 /// The unit is really two: a new one with that number and the same kind, area and phase takes over the relations
 /// named. Returns its id. Throws as adding a unit does for a number that is taken.
