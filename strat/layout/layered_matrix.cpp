@@ -9,6 +9,7 @@
 #include "strat/layout/coordinate_phase.hpp"
 #include "strat/layout/drawing_style.hpp"
 #include "strat/layout/group_order.hpp"
+#include "strat/layout/level_switcher.hpp"
 #include "strat/layout/order_phase.hpp"
 
 namespace planum::strat {
@@ -31,55 +32,6 @@ struct Component {
     std::int32_t levels = 0;
     double x = 0.0; // where it is put
     std::int32_t level = 0;
-};
-
-// Moves single nodes along their levels.
-class LevelSwitcher {
-  public:
-    explicit LevelSwitcher(LayeredGraph& graph)
-        : g_(graph), up_(neighbours_above(graph)), down_(neighbours_below(graph)), place_(graph.nodes, 0) {
-        for (std::size_t l = 0; l < g_.layers.size(); ++l) number(l);
-    }
-
-    // Towards `target` on the same level, to the nearest place where no more edges cross than now.
-    void draw_near(std::size_t level, std::uint32_t node, std::uint32_t target) {
-        std::vector<std::uint32_t>& layer = g_.layers[level];
-        const auto from = static_cast<std::ptrdiff_t>(place_[node]);
-        const std::ptrdiff_t step = place_[target] < place_[node] ? -1 : 1;
-        std::int64_t more = 0;
-        std::ptrdiff_t to = from;
-        for (std::ptrdiff_t at = from + step; layer[static_cast<std::size_t>(at)] != target; at += step) {
-            const std::uint32_t passed = layer[static_cast<std::size_t>(at)];
-            more += step > 0 ? crossings(passed, node) - crossings(node, passed)
-                             : crossings(node, passed) - crossings(passed, node);
-            if (more <= 0) to = at;
-        }
-        layer.erase(layer.begin() + from);
-        layer.insert(layer.begin() + to, node);
-        number(level);
-    }
-
-  private:
-    void number(std::size_t level) {
-        for (std::size_t i = 0; i < g_.layers[level].size(); ++i)
-            place_[g_.layers[level][i]] = static_cast<std::uint32_t>(i);
-    }
-
-    // Of the edges of two nodes of a level, `left` standing left of `right`.
-    [[nodiscard]] std::int64_t crossings(std::uint32_t left, std::uint32_t right) const {
-        std::int64_t count = 0;
-        for (const Adjacency* side : {&up_, &down_}) {
-            for (const std::uint32_t a : side->row(left)) {
-                for (const std::uint32_t b : side->row(right)) count += place_[a] > place_[b] ? 1 : 0;
-            }
-        }
-        return count;
-    }
-
-    LayeredGraph& g_;
-    Adjacency up_;
-    Adjacency down_;
-    std::vector<std::uint32_t> place_; // by node, within its level
 };
 
 class Layerer {
@@ -305,7 +257,7 @@ class Layerer {
         OrderOptions options;
         options.keep_given = sort_as_before(component, g);
         order_layers(g, options, progress_);
-        draw_in_upward_ends(g, component, index);
+        draw_in_upward_ends(g, index);
         if (!graph_.groups.empty()) order_groups(g, groups_in(component), progress_);
         // From here on the component's nodes stand level by level, left to right.
         std::vector<std::uint32_t> nodes;
@@ -318,7 +270,7 @@ class Layerer {
 
     // The ends of upward lines go as near to their boxes as they can without crossing more: nothing else holds them
     // there, since they join nothing on the levels above and below.
-    void draw_in_upward_ends(LayeredGraph& g, const Component& component, std::size_t index) const {
+    void draw_in_upward_ends(LayeredGraph& g, std::size_t index) const {
         const auto upwards = [&](std::uint32_t i) { return out_.paths[i].upwards; };
         if (std::none_of(paths_of_[index].begin(), paths_of_[index].end(), upwards)) return;
         LevelSwitcher switcher(g);
