@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "app/evidence/evidence.hpp"
 #include "app/evidence/section_evidence.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -66,8 +65,7 @@ std::size_t DailyCheck::count(model::Severity severity) const noexcept {
 }
 
 DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress) {
-    const std::vector<model::SurfaceEvidence> surfaces =
-        with_sections(surface_evidence(gather_evidence(project, progress)), project.record());
+    const std::vector<model::SurfaceEvidence> surfaces = measured_evidence(project, progress);
     if (interpretation.empty()) return check_record(project.record(), surfaces, progress);
     return check_record(interpreted(project.record(), interpretation), surfaces, progress);
 }

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "app/checks/daily_check.hpp"
-#include "app/evidence/evidence.hpp"
+#include "app/evidence/section_evidence.hpp"
 #include "core/base/text.hpp"
 #include "strat/matrix/harris_matrix.hpp"
 
@@ -101,7 +101,7 @@ InterpretationDiff diff_interpretations(Project& project, const std::string& fir
     add_orders(b, a, Reading::Second, diff);
     sort_naturally(diff.relations, [](const auto& r) { return std::tie(r.unit, r.other); });
     sort_naturally(diff.orders, [](const auto& o) { return std::tie(o.later, o.earlier); });
-    const std::vector<model::SurfaceEvidence> surfaces = surface_evidence(gather_evidence(project, progress));
+    const std::vector<model::SurfaceEvidence> surfaces = measured_evidence(project, progress);
     const DailyCheck check_a = check_record(a.record, surfaces, progress);
     const DailyCheck check_b = check_record(b.record, surfaces, progress);
     add_problems(check_a, check_b, Reading::First, diff);

@@ -363,7 +363,7 @@ bool same_sources(const model::Record& a, const model::Record& b) {
         return u.id == v.id && u.kind == v.kind && u.form == v.form;
     };
     return a.settings.tolerance == b.settings.tolerance && a.surfaces == b.surfaces && a.scans == b.scans &&
-           a.poses == b.poses && a.runs == b.runs && a.regions == b.regions &&
+           a.poses == b.poses && a.runs == b.runs && a.regions == b.regions && a.sections == b.sections &&
            std::equal(a.units.begin(), a.units.end(), b.units.begin(), b.units.end(), same_unit);
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/evidence/evidence.hpp"
 #include "app/regions/region_layout.hpp"
 
 namespace planum::app {
@@ -88,6 +89,10 @@ std::vector<model::SurfaceEvidence> with_sections(std::vector<model::SurfaceEvid
         surfaces.push_back(std::move(evidence));
     }
     return surfaces;
+}
+
+std::vector<model::SurfaceEvidence> measured_evidence(Project& project, Progress& progress) {
+    return with_sections(surface_evidence(gather_evidence(project, progress)), project.record());
 }
 
 std::string reason_of(const model::Record& record, const model::RecordIndex& index, const SectionEvidence& evidence) {

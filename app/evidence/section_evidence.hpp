@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/project/project.hpp"
+#include "core/base/progress.hpp"
 #include "core/model/evidence.hpp"
 #include "core/model/record.hpp"
 #include "scans/surface/section_columns.hpp"
@@ -33,6 +35,10 @@ inline constexpr double kSectionStrip = 0.2;
 /// The evidence of surfaces with that of sections, which outweighs levels: what levels say of the same pair goes.
 [[nodiscard]] std::vector<model::SurfaceEvidence> with_sections(std::vector<model::SurfaceEvidence> surfaces,
                                                                 const model::Record& record);
+
+/// All that is measured of a project and speaks for an order, as the checks take it: gather_evidence() with the
+/// sections. Throws Cancelled.
+[[nodiscard]] std::vector<model::SurfaceEvidence> measured_evidence(Project& project, Progress& progress);
 
 /// "in section W1 1017 lies on 1042 along 1.2 m", or the question.
 [[nodiscard]] std::string reason_of(const model::Record& record, const model::RecordIndex& index,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/evidence/evidence.hpp"
+#include "app/evidence/section_evidence.hpp"
 #include "app/records/revision.hpp"
 #include "core/base/error.hpp"
 #include "gui/viewmodels/words.hpp"
@@ -128,8 +129,7 @@ void ProblemListModel::ask_surfaces() {
         QStringLiteral("evidence"), tr("Comparing the surfaces"),
         [this, snapshot](app::Project& project, Progress& progress) -> JobRunner::Done {
             try {
-                auto said =
-                    std::make_shared<const Surfaces>(app::surface_evidence(app::gather_evidence(project, progress)));
+                auto said = std::make_shared<const Surfaces>(app::measured_evidence(project, progress));
                 return [this, said, snapshot] { take_surfaces(said, snapshot); };
             } catch (const Error& e) {
                 if (e.code() != ErrorCode::Cancelled) throw;

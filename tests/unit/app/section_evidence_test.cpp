@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/checks/daily_check.hpp"
+#include "app/checks/interpretation_diff.hpp"
+#include "app/records/record_kind.hpp"
 #include "app/regions/outline_text.hpp"
 #include "app/regions/region_import.hpp"
 #include "app/suggestions/suggestions.hpp"
@@ -92,4 +94,21 @@ TEST_CASE("Sections outweigh levels, not what stratigraphic surfaces say") {
         CHECK(std::count_if(all.begin(), all.end(),
                             [](const auto& e) { return e.source == model::EvidenceSource::Section; }) == 2);
     }
+}
+
+TEST_CASE("What a section contradicts in one reading only is told of that one") {
+    const test::TemporaryFolder folder;
+    app::Project project = three_layers(folder);
+    app::record_kind("relation").add(project, "3 covers 2", {});
+    const model::RelationId wrong = project.record().relations.front().id;
+    project.change("reading", [&] {
+        model::Interpretation mended;
+        mended.name = "mended";
+        mended.dropped = {wrong};
+        project.file().insert(mended);
+    });
+    const auto diff = app::diff_interpretations(project, "record", "mended", Progress::none());
+    CHECK(std::any_of(diff.problems.begin(), diff.problems.end(), [](const app::DifferingProblem& p) {
+        return p.in == app::Reading::First && p.problem.code == "height-contradiction";
+    }));
 }
