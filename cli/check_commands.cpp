@@ -123,16 +123,25 @@ void run_show(const Context& context, const Options& options) {
         app::contradiction_sheet(project, options.show, options.interpretation, *context.progress);
     write_group(context, made.group, options);
     if (context.json) {
-        return context.print({{"file", options.file},
-                              {"id", options.show},
-                              {"upper", made.upper},
-                              {"lower", made.lower},
-                              {"surfaces", {made.before, made.after}},
-                              {"area_m2", made.area},
-                              {"x", made.x},
-                              {"y", made.y},
-                              {"z_upper", made.z_upper},
-                              {"z_lower", made.z_lower}});
+        ordered_json json = {
+            {"file", options.file}, {"id", options.show}, {"upper", made.upper}, {"lower", made.lower}};
+        if (made.section.empty()) {
+            json["surfaces"] = {made.before, made.after};
+            json["area_m2"] = made.area;
+        } else {
+            json["section"] = made.section;
+            json["length_m"] = made.length;
+        }
+        json["x"] = made.x;
+        json["y"] = made.y;
+        json["z_upper"] = made.z_upper;
+        json["z_lower"] = made.z_lower;
+        return context.print(json);
+    }
+    if (!made.section.empty()) {
+        *context.out << fmt::format("{}: {} on {} along {:.2f} m in section {}, most clearly at {:.2f} {:.2f}\n",
+                                    options.file, made.upper, made.lower, made.length, made.section, made.x, made.y);
+        return;
     }
     *context.out << fmt::format("{}: {} above {}, at most {:.2f} m, at {:.2f} {:.2f}\n", options.file, made.upper,
                                 made.lower, made.z_upper - made.z_lower, made.x, made.y);

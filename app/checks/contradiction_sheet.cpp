@@ -13,7 +13,9 @@
 #include <fmt/format.h>
 
 #include "app/checks/contradicting_faces.hpp"
+#include "app/checks/contradiction_looks.hpp"
 #include "app/checks/daily_check.hpp"
+#include "app/checks/section_contradiction.hpp"
 #include "app/scans/days_surface.hpp"
 #include "app/suggestions/reasons.hpp"
 #include "app/surfaces/surface_picture.hpp"
@@ -27,20 +29,11 @@ namespace {
 using geometry::SheetDash;
 using geometry::SheetLook;
 
-constexpr double kWidth = 0.18;  // of a map on paper [m]
-constexpr double kHeight = 0.09; // of the plan, at most
-constexpr std::array kScales = {5.0, 10.0, 20.0, 25.0, 50.0, 100.0, 200.0, 500.0};
-constexpr geometry::SheetColour kUpper = 0x1f5a96; // blue: seen first
-constexpr geometry::SheetColour kLower = 0xb0561a; // brown: came out below
-constexpr geometry::SheetColour kClash = 0xd62f3b;
-constexpr SheetLook kUpperFace{kUpper, 0.6, SheetDash::Solid, kUpper, 0.10};
-constexpr SheetLook kLowerFace{kLower, 0.6, SheetDash::Dashed, kLower, 0.10};
-constexpr SheetLook kUpperGround{kUpper, 0.25, SheetDash::Solid, kUpper, 0.0};
-constexpr SheetLook kLowerGround{kLower, 0.25, SheetDash::Dashed, kLower, 0.0};
-constexpr SheetLook kUpperLine{kUpper, 0.8, SheetDash::Solid, kUpper, 0.0};
-constexpr SheetLook kLowerLine{kLower, 0.8, SheetDash::Dashed, kLower, 0.0};
-constexpr SheetLook kClashArea{kClash, 0.0, SheetDash::Solid, kClash, 0.30};
-constexpr SheetLook kSectionLine{0x1d1c1a, 0.4, SheetDash::Solid, 0xffffff, 0.0};
+constexpr SheetLook kUpperGround{kUpperColour, 0.25, SheetDash::Solid, kUpperColour, 0.0};
+constexpr SheetLook kLowerGround{kLowerColour, 0.25, SheetDash::Dashed, kLowerColour, 0.0};
+constexpr SheetLook kUpperLine{kUpperColour, 0.8, SheetDash::Solid, kUpperColour, 0.0};
+constexpr SheetLook kLowerLine{kLowerColour, 0.8, SheetDash::Dashed, kLowerColour, 0.0};
+constexpr SheetLook kClashArea{kClashColour, 0.0, SheetDash::Solid, kClashColour, 0.30};
 
 geometry::MultiPolygon box(const geometry::Extent& e) {
     return {{{{e.low[0], e.low[1], 0.0},
@@ -133,8 +126,8 @@ class SheetMaker {
         constexpr double kApart = 0.008; // [m on paper]
         constexpr int kDirections = 16;
         const double thickness = made_.z_upper - made_.z_lower;
-        scale_ = kScales.front();
-        for (const double scale : kScales) {
+        scale_ = kContradictionScales.front();
+        for (const double scale : kContradictionScales) {
             if (scale <= 20.0 && thickness / scale >= kApart) scale_ = scale;
         }
         double best = -1.0;
@@ -143,7 +136,7 @@ class SheetMaker {
             Cut cut;
             cut.way = {std::cos(angle), std::sin(angle)};
             if (cut.way[0] < -1e-9) cut.way = {-cut.way[0], -cut.way[1]}; // west or south on the left
-            cut.length = kWidth * scale_;
+            cut.length = kContradictionWidth * scale_;
             for (std::size_t k = 0; k < 2; ++k) cut.from[k] = place()[k] - 0.5 * cut.length * cut.way[k];
             double score = 0.0;
             for (const Sample& s : samples(cut)) {
@@ -166,13 +159,14 @@ class SheetMaker {
         for (const double along : {0.0, cut_.length}) seen.add(cut_.at(along)[0], cut_.at(along)[1]);
         const double wide = 1.12 * (seen.high[0] - seen.low[0]);
         const double high = 1.12 * (seen.high[1] - seen.low[1]);
-        made.scale = kScales.back();
-        for (const double scale : kScales) {
-            if (wide > kWidth * scale || high > kHeight * scale) continue;
+        made.scale = kContradictionScales.back();
+        for (const double scale : kContradictionScales) {
+            if (wide > kContradictionWidth * scale || high > kContradictionHeight * scale) continue;
             made.scale = scale;
             break;
         }
-        const std::array half = {0.5 * kWidth * made.scale, 0.5 * std::max(high, 0.6 * kHeight * made.scale)};
+        const std::array half = {0.5 * kContradictionWidth * made.scale,
+                                 0.5 * std::max(high, 0.6 * kContradictionHeight * made.scale)};
         for (std::size_t k = 0; k < 2; ++k) {
             const double middle = 0.5 * (seen.low[k] + seen.high[k]);
             sheet.extent.low[k] = middle - half[k];
@@ -216,7 +210,7 @@ class SheetMaker {
         const double letter = 0.0035 * plan.scale;
         const auto a = cut_.at(0.0);
         const auto b = cut_.at(cut_.length);
-        plan.sheet.lines.push_back({{{a[0], a[1], 0.0}, {b[0], b[1], 0.0}}, kSectionLine});
+        plan.sheet.lines.push_back({{{a[0], a[1], 0.0}, {b[0], b[1], 0.0}}, kMeasureLine});
         const auto outside_a = cut_.at(-letter);
         const auto outside_b = cut_.at(cut_.length + letter);
         plan.sheet.labels.insert(plan.sheet.labels.begin(),
@@ -225,7 +219,7 @@ class SheetMaker {
         for (const auto& end : {a, b, place()})
             plan.sheet.lines.push_back({{{end[0] - tick * cut_.way[1], end[1] + tick * cut_.way[0], 0.0},
                                          {end[0] + tick * cut_.way[1], end[1] - tick * cut_.way[0], 0.0}},
-                                        kSectionLine});
+                                        kMeasureLine});
     }
 
     // The cells that contradict, red over the relief.
@@ -242,7 +236,7 @@ class SheetMaker {
             const std::size_t row = static_cast<std::size_t>(frame_.rows) - 1 - cell / columns;
             const std::size_t at = 4 * (row * columns + cell % columns);
             for (std::size_t k = 0; k < 3; ++k)
-                picture.rgba[at + k] = static_cast<std::uint8_t>(kClash >> (8 * (2 - k)) & 0xffU);
+                picture.rgba[at + k] = static_cast<std::uint8_t>(kClashColour >> (8 * (2 - k)) & 0xffU);
             picture.rgba[at + 3] = static_cast<std::uint8_t>(std::lround(255.0 * kClashArea.opacity));
         }
         return picture;
@@ -344,9 +338,9 @@ class SheetMaker {
         const int digits =
             made_.z_upper - made_.z_lower < 0.1 ? 3 : 2; // so that the heights agree with what is between
         const double tick = 0.0012 * scale_;
-        sheet.lines.push_back({{{x, made_.z_lower, 0.0}, {x, made_.z_upper, 0.0}}, kSectionLine});
+        sheet.lines.push_back({{{x, made_.z_lower, 0.0}, {x, made_.z_upper, 0.0}}, kMeasureLine});
         for (const double z : {made_.z_lower, made_.z_upper})
-            sheet.lines.push_back({{{x - tick, z, 0.0}, {x + tick, z, 0.0}}, kSectionLine});
+            sheet.lines.push_back({{{x - tick, z, 0.0}, {x + tick, z, 0.0}}, kMeasureLine});
         sheet.labels.push_back({x + 0.009 * scale_,
                                 0.5 * (made_.z_lower + made_.z_upper),
                                 fmt::format("{:.{}f} m", made_.z_upper - made_.z_lower, digits),
@@ -408,6 +402,7 @@ ContradictionSheet contradiction_sheet(Project& project, std::string_view id, co
                                        Progress& progress) {
     const DailyCheck check = check_project(project, interpretation, progress);
     const model::Diagnostic& problem = problem_with(check, id);
+    if (is_seen_in_section(problem)) return section_contradiction(project, problem, progress);
     const ContradictingFaces faces = contradicting_faces(project, problem, progress);
     return SheetMaker(project, faces).make(problem);
 }

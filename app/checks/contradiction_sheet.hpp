@@ -12,16 +12,20 @@ namespace planum::app {
 
 /// A height contradiction to look at.
 struct ContradictionSheet {
-    geometry::SheetGroup group; ///< a plan of both faces, a cross-section through the worst place
-    std::string upper;          ///< the unit that was seen first
-    std::string lower;          ///< the unit that came out below it
-    std::string before;         ///< surface on which `upper` was seen
-    std::string after;          ///< surface on which `lower` was seen
-    double x = 0.0;             ///< the worst place [m, site]
+    /// Seen between surfaces: a plan of both faces, a cross-section through the worst place. Seen in a section: that
+    /// section, the worst place larger.
+    geometry::SheetGroup group;
+    std::string upper;   ///< the unit that was seen first, or on top
+    std::string lower;   ///< the unit that came out below it
+    std::string before;  ///< surface on which `upper` was seen; empty for a section
+    std::string after;   ///< surface on which `lower` was seen
+    std::string section; ///< empty for surfaces
+    double x = 0.0;      ///< the worst place [m, site]
     double y = 0.0;
-    double z_upper = 0.0;
-    double z_lower = 0.0;
-    double area = 0.0; ///< over which `lower` is lower than can be told from level [m²]
+    double z_upper = 0.0; ///< of the face of `upper`; in a section of its lower line
+    double z_lower = 0.0; ///< of the face of `lower`; in a section of its upper line
+    double area = 0.0;    ///< over which `lower` is lower than can be told from level [m²]
+    double length = 0.0;  ///< in a section: along which `upper` lies on `lower` [m]
 };
 
 /// The height contradiction with that id, among the undecided and the accepted ones of the field record or of an

@@ -18,34 +18,39 @@ using scans::SectionVerdict;
 
 std::vector<SectionEvidence> of_section(const model::Record& record, const model::RecordIndex& index,
                                         const model::Section& section) {
-    std::vector<const model::Region*> drawn = regions_on(record, section.id);
-    std::erase_if(drawn, [&](const model::Region* region) {
-        const model::UnitIndex unit = index.find(region->unit);
-        return unit == model::kNoUnit || record.units[unit].kind == model::UnitKind::Cut;
-    });
-    if (drawn.size() < 2) return {};
-    std::vector<scans::KnownUnit> units;
-    std::vector<scans::SectionRegion> shown;
-    for (const PlacedRegion& placed : layout_regions(drawn, &section).regions) {
-        const auto known = std::find_if(units.begin(), units.end(),
-                                        [&](const scans::KnownUnit& unit) { return unit.id == placed.region->unit; });
-        const auto number = static_cast<scans::UnitNumber>(known - units.begin());
-        if (known == units.end()) {
-            const model::StratigraphicUnit& unit = record.units[index.find(placed.region->unit)];
-            units.push_back({unit.id, unit.kind, unit.form});
-        }
-        shown.push_back({number, placed.shown, placed.region->sigma});
-    }
+    const ShownSection shown = shown_in_section(record, index, section);
     std::vector<SectionEvidence> found;
-    for (const scans::SectionContact& contact : scans::section_contacts(shown)) {
-        const scans::KnownUnit& upper = units[static_cast<std::size_t>(contact.upper)];
-        const scans::KnownUnit& lower = units[static_cast<std::size_t>(contact.lower)];
+    for (const scans::SectionContact& contact : scans::section_contacts(shown.regions)) {
+        const scans::KnownUnit& upper = shown.units[static_cast<std::size_t>(contact.upper)];
+        const scans::KnownUnit& lower = shown.units[static_cast<std::size_t>(contact.lower)];
         found.push_back({section.id, upper.id, lower.id, contact, scans::judge_contact(contact, upper, lower)});
     }
     return found;
 }
 
 } // namespace
+
+ShownSection shown_in_section(const model::Record& record, const model::RecordIndex& index,
+                              const model::Section& section) {
+    std::vector<const model::Region*> drawn = regions_on(record, section.id);
+    std::erase_if(drawn, [&](const model::Region* region) {
+        const model::UnitIndex unit = index.find(region->unit);
+        return unit == model::kNoUnit || record.units[unit].kind == model::UnitKind::Cut;
+    });
+    ShownSection made;
+    if (drawn.size() < 2) return made;
+    for (const PlacedRegion& placed : layout_regions(drawn, &section).regions) {
+        const auto known = std::find_if(made.units.begin(), made.units.end(),
+                                        [&](const scans::KnownUnit& unit) { return unit.id == placed.region->unit; });
+        const auto number = static_cast<scans::UnitNumber>(known - made.units.begin());
+        if (known == made.units.end()) {
+            const model::StratigraphicUnit& unit = record.units[index.find(placed.region->unit)];
+            made.units.push_back({unit.id, unit.kind, unit.form});
+        }
+        made.regions.push_back({number, placed.shown, placed.region->sigma});
+    }
+    return made;
+}
 
 std::vector<SectionEvidence> section_evidence(const model::Record& record) {
     const model::RecordIndex index(record);

@@ -21,6 +21,17 @@ struct SectionEvidence {
     scans::SectionVerdict verdict;
 };
 
+/// The regions of one section that may be compared, laid over each other, in its plane. Units are numbered by their
+/// place in `units`.
+struct ShownSection {
+    std::vector<scans::KnownUnit> units;
+    std::vector<scans::SectionRegion> regions;
+};
+
+/// Without regions of no unit, of cuts and of units no longer in the record.
+[[nodiscard]] ShownSection shown_in_section(const model::Record& record, const model::RecordIndex& index,
+                                            const model::Section& section);
+
 /// What the outlines on all sections say, in the order of the record's sections. Outlines that overlap are laid over
 /// each other first (layout_regions); regions of no unit, of cuts and of units no longer in the record are passed over.
 [[nodiscard]] std::vector<SectionEvidence> section_evidence(const model::Record& record);

@@ -43,21 +43,29 @@ std::vector<geometry::MultiPolygon> turned(std::span<const SectionRegion> region
     return all;
 }
 
-void look_at_column(std::span<const SectionRegion> regions, std::vector<Piece>& pieces, double along, double column,
-                    Pairs& pairs) {
-    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-        return std::pair(a.bottom + a.top, a.region) < std::pair(b.bottom + b.top, b.region);
-    });
-    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-        const Piece& below = pieces[i];
-        const Piece& above = pieces[i + 1];
-        const SectionRegion& lower = regions[below.region];
-        const SectionRegion& upper = regions[above.region];
-        if (lower.unit == upper.unit || lower.unit == kNobody || upper.unit == kNobody) continue;
-        if (std::abs(above.bottom - below.top) > 2.0 * std::hypot(lower.sigma, upper.sigma)) continue;
-        const auto [it, fresh] = pairs.try_emplace({upper.unit, lower.unit}, Seen{0.0, along - column / 2.0, 0.0});
-        it->second.length += column;
-        it->second.to = along + column / 2.0;
+// Calls visit(along, below, above) for every two pieces of two units that touch in a column.
+template<class Visit>
+void for_contacts(std::span<const SectionRegion> regions, double column, const Visit& visit) {
+    geometry::Extent extent;
+    for (const SectionRegion& region : regions) extent.add(geometry::extent(region.shape));
+    if (extent.is_empty()) return;
+    const std::vector<geometry::MultiPolygon> shapes = turned(regions);
+    std::vector<Piece> pieces;
+    for (double along = extent.low[0] + column / 2.0; along < extent.high[0]; along += column) {
+        pieces.clear();
+        for (std::size_t r = 0; r < shapes.size(); ++r) {
+            for (const auto& [bottom, top] : geometry::spans_at(shapes[r], along)) pieces.push_back({bottom, top, r});
+        }
+        std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+            return std::pair(a.bottom + a.top, a.region) < std::pair(b.bottom + b.top, b.region);
+        });
+        for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+            const SectionRegion& lower = regions[pieces[i].region];
+            const SectionRegion& upper = regions[pieces[i + 1].region];
+            if (lower.unit == upper.unit || lower.unit == kNobody || upper.unit == kNobody) continue;
+            const double apart = std::abs(pieces[i + 1].bottom - pieces[i].top);
+            if (apart <= 2.0 * std::hypot(lower.sigma, upper.sigma)) visit(along, pieces[i], pieces[i + 1]);
+        }
     }
 }
 
@@ -85,19 +93,13 @@ bool is_fill(const KnownUnit& unit) { return unit.form == model::UnitForm::Fill;
 } // namespace
 
 std::vector<SectionContact> section_contacts(std::span<const SectionRegion> regions, double column) {
-    geometry::Extent extent;
-    for (const SectionRegion& region : regions) extent.add(geometry::extent(region.shape));
-    if (extent.is_empty()) return {};
-    const std::vector<geometry::MultiPolygon> shapes = turned(regions);
     Pairs pairs;
-    std::vector<Piece> pieces;
-    for (double along = extent.low[0] + column / 2.0; along < extent.high[0]; along += column) {
-        pieces.clear();
-        for (std::size_t r = 0; r < shapes.size(); ++r) {
-            for (const auto& [bottom, top] : geometry::spans_at(shapes[r], along)) pieces.push_back({bottom, top, r});
-        }
-        look_at_column(regions, pieces, along, column, pairs);
-    }
+    for_contacts(regions, column, [&](double along, const Piece& below, const Piece& above) {
+        const std::pair pair{regions[above.region].unit, regions[below.region].unit};
+        const auto [it, fresh] = pairs.try_emplace(pair, Seen{0.0, along - column / 2.0, 0.0});
+        it->second.length += column;
+        it->second.to = along + column / 2.0;
+    });
     const auto reach = heights(regions);
     const double slack = 2.0 * greatest_sigma(regions);
     std::vector<SectionContact> contacts;
@@ -111,6 +113,16 @@ std::vector<SectionContact> section_contacts(std::span<const SectionRegion> regi
         contacts.push_back(contact);
     }
     return contacts;
+}
+
+std::vector<ContactColumn> contact_columns(std::span<const SectionRegion> regions, UnitNumber upper, UnitNumber lower,
+                                           double column) {
+    std::vector<ContactColumn> columns;
+    for_contacts(regions, column, [&](double along, const Piece& below, const Piece& above) {
+        if (regions[above.region].unit == upper && regions[below.region].unit == lower)
+            columns.push_back({along, below.bottom, below.top, above.bottom, above.top});
+    });
+    return columns;
 }
 
 SectionVerdict judge_contact(const SectionContact& contact, const KnownUnit& upper, const KnownUnit& lower) {

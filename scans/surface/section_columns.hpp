@@ -35,6 +35,24 @@ struct SectionContact {
 [[nodiscard]] std::vector<SectionContact> section_contacts(std::span<const SectionRegion> regions,
                                                            double column = 0.02);
 
+/// A contact in one column of a section [m].
+struct ContactColumn {
+    double along = 0.0;
+    double bottom = 0.0; ///< of the piece below
+    double lower = 0.0;  ///< where that ends
+    double upper = 0.0;  ///< where the piece above begins; lines of two hands leave a gap, or overlap
+    double top = 0.0;    ///< of the piece above
+
+    /// Height of the contact: between both lines.
+    [[nodiscard]] double height() const noexcept { return 0.5 * (lower + upper); }
+
+    friend bool operator==(const ContactColumn&, const ContactColumn&) = default;
+};
+
+/// The columns in which `upper` lies on `lower`, as section_contacts() counts them; ascending.
+[[nodiscard]] std::vector<ContactColumn> contact_columns(std::span<const SectionRegion> regions, UnitNumber upper,
+                                                         UnitNumber lower, double column = 0.02);
+
 /// What a contact says by the rules of docs/evidence.md.
 struct SectionVerdict {
     enum class Why {

@@ -5,12 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "app/checks/contradiction_sheet.hpp"
 #include "app/checks/daily_check.hpp"
 #include "app/checks/interpretation_diff.hpp"
 #include "app/records/record_kind.hpp"
 #include "app/regions/outline_text.hpp"
 #include "app/regions/region_import.hpp"
 #include "app/suggestions/suggestions.hpp"
+#include "core/base/error.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary.hpp"
 
@@ -111,4 +113,51 @@ TEST_CASE("What a section contradicts in one reading only is told of that one") 
     CHECK(std::any_of(diff.problems.begin(), diff.problems.end(), [](const app::DifferingProblem& p) {
         return p.in == app::Reading::First && p.problem.code == "height-contradiction";
     }));
+}
+
+namespace {
+
+std::string contradiction_of(app::Project& project) {
+    for (const auto& problem : app::check_project(project, {}, Progress::none()).problems) {
+        if (problem.code == "height-contradiction") return problem.id;
+    }
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("A contradiction seen in a section is drawn: the section with both outlines, and the worst place larger") {
+    const test::TemporaryFolder folder;
+    app::Project project = app::Project::create(folder / "site.gpkg", {}, {});
+    app::RegionImportOptions options;
+    options.create_units = true;
+    // 2 lies on 3 all along; east of 1 m it is 40 cm thick, west of it 10 cm.
+    app::import_outlines(
+        project, {{drawn("3", 0, 9.0, 4, 9.4), drawn("2", 0, 9.4, 1, 9.5), drawn("2", 1, 9.4, 4, 9.8)}, {}}, options);
+    relate(project, "3", "2");
+    const std::string id = contradiction_of(project);
+    REQUIRE_FALSE(id.empty());
+    const app::ContradictionSheet made = app::contradiction_sheet(project, id, {}, Progress::none());
+    CHECK(made.upper == "2");
+    CHECK(made.lower == "3");
+    CHECK(made.section == "W");
+    CHECK(made.length == Approx(4.0).margin(0.03));
+    CHECK(made.before.empty());
+    // Section W runs north from 100, 200.
+    CHECK(made.x == Approx(100.0));
+    CHECK(made.y > 201.0);
+    CHECK(made.z_upper == Approx(9.4));
+    CHECK(made.z_lower == Approx(9.4));
+    REQUIRE(made.group.sheets.size() == 2);
+    for (const auto& sheet : made.group.sheets) {
+        CHECK(sheet.sheet.is_section);
+        CHECK(sheet.sheet.shapes.size() == 3);
+        CHECK(sheet.sheet.pictures.empty()); // no scans
+        CHECK(std::any_of(sheet.sheet.labels.begin(), sheet.sheet.labels.end(),
+                          [](const auto& label) { return label.text == "2"; }));
+    }
+    CHECK(made.group.sheets[1].scale < made.group.sheets[0].scale);
+
+    project.change("mend", [&] { project.file().remove(project.record().relations.front().id); });
+    CHECK_THROWS_AS(app::contradiction_sheet(project, id, {}, Progress::none()), Error);
 }

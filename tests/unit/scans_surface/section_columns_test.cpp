@@ -42,6 +42,25 @@ TEST_CASE("Layers in a section lie on what is next below them, as long as they t
     CHECK(contact_of(contacts, 2, 0)->from == Approx(2.0).margin(0.02));
 }
 
+TEST_CASE("The columns of a contact are those that make up its length, with both lines and how far both pieces reach") {
+    const std::vector regions = {box(0, 0, 0, 4, 1), box(1, 1, 1.02, 2, 1.3), box(1, 3, 1, 3.5, 1.4)};
+    const auto contacts = section_contacts(regions);
+    const auto columns = contact_columns(regions, 1, 0);
+    REQUIRE(contacts.size() == 1);
+    CHECK(static_cast<double>(columns.size()) * 0.02 == Approx(contacts[0].length));
+    for (const ContactColumn& column : columns) {
+        const bool first = column.along < 2.0;
+        CHECK(((column.along > 1.0 && first) || (column.along > 3.0 && column.along < 3.5)));
+        CHECK(column.bottom == Approx(0.0).margin(1e-9));
+        CHECK(column.lower == Approx(1.0));
+        CHECK(column.upper == Approx(first ? 1.02 : 1.0));
+        CHECK(column.top == Approx(first ? 1.3 : 1.4));
+    }
+    CHECK(
+        std::is_sorted(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return a.along < b.along; }));
+    CHECK(contact_columns(regions, 0, 1).empty());
+}
+
 TEST_CASE("A gap wider than the lines allow is no contact, and side by side is none") {
     CHECK(section_contacts(std::vector{box(0, 0, 0, 1, 1), box(1, 0, 1.1, 1, 2)}).empty());
     CHECK(section_contacts(std::vector{box(0, 0, 0, 1, 1), box(1, 1, 0, 2, 1)}).empty());
