@@ -43,6 +43,7 @@ void fill(CLI::App& root, Context& context) {
     add_matrix_commands(root, context);
     add_report_commands(root, context);
     add_scan_commands(root, context);
+    add_scan_details_commands(root, context);
     add_panorama_commands(root, context);
     add_surface_commands(root, context);
     add_plan_commands(root, context);

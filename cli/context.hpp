@@ -62,6 +62,8 @@ void add_check_commands(CLI::App& root, Context& context);
 void add_matrix_commands(CLI::App& root, Context& context);
 void add_report_commands(CLI::App& root, Context& context);
 void add_scan_commands(CLI::App& root, Context& context);
+/// After the scan commands: adds to `scan` what one scan says of itself, and the images in its file.
+void add_scan_details_commands(CLI::App& root, Context& context);
 void add_panorama_commands(CLI::App& root, Context& context);
 /// After the record commands: adds to `surface` what scans give.
 void add_surface_commands(CLI::App& root, Context& context);

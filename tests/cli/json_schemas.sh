@@ -42,6 +42,7 @@ mkdir -p 2025-06-01 && printf '1 2 3\n4 5 6\n' >2025-06-01/station1.xyz
 holds scan-add scan add site.gpkg 2025-06-01
 holds scan-add scan add site.gpkg 2025-06-01
 holds scan-list scan list site.gpkg
+holds scan-show scan show site.gpkg 2025-06-01/station1
 holds panorama panorama site.gpkg 2025-06-01/station1 -o panorama.png --width 40
 holds demo demo dig --seed 3
 holds suggest suggest dig/demo.gpkg
@@ -62,6 +63,7 @@ holds markers-import markers import site.gpkg markers.csv
 holds register register site.gpkg --method markers
 holds register-compare register site.gpkg --compare 1 2
 holds scan-list scan list site.gpkg
+holds scan-show scan show site.gpkg 2025-06-01/station1
 holds surface surface site.gpkg 2025-06-01 --cell 0.5 -o heights.tif
 mkdir -p 2025-06-02 && printf '1 2 2\n4 5 6\n' >2025-06-02/station1.xyz && "$planum" scan add -q site.gpkg 2025-06-02 >/dev/null
 sed 's/2025-06-01/2025-06-02/' markers.csv >other.csv && "$planum" markers import -q site.gpkg other.csv >/dev/null
