@@ -33,6 +33,7 @@ class Closing {
 
   private:
     [[nodiscard]] bool agree(std::uint32_t a, std::uint32_t b) const noexcept {
+        if (a == kNothing || b == kNothing) return false;
         const auto nearer = static_cast<double>(std::min(points_.range[a], points_.range[b]));
         return static_cast<double>(std::abs(points_.range[a] - points_.range[b])) <= options_.agreement * nearer;
     }
@@ -41,6 +42,7 @@ class Closing {
         closed_.push_back({static_cast<std::uint32_t>(pixel), point});
     }
 
+    [[nodiscard]] bool goes_on(const std::array<std::uint32_t, 4>& rows) const noexcept;
     [[nodiscard]] bool touch(const std::array<std::uint32_t, 3>& corners) const noexcept;
     [[nodiscard]] std::optional<std::array<Eigen::Vector2d, 3>>
     in_picture(const std::array<std::uint32_t, 3>& corners) const;
@@ -55,6 +57,23 @@ class Closing {
     std::vector<std::uint32_t> front_; ///< nearest point of each pixel
     std::vector<ClosedPixel> closed_;
 };
+
+// Seen at a grazing angle, one and the same ground is much further away in the next row of the grid. On a plane the
+// inverse range grows by even steps with the angle, so ground goes on from the second to the third of four points one
+// above the other where the steps are alike; at the edge of a thing the middle one stands out. Of the outer points one
+// may be missing, as in the first and the last row.
+bool Closing::goes_on(const std::array<std::uint32_t, 4>& rows) const noexcept {
+    const auto step = [&](std::size_t i) { // of the inverse range, from one row to the next
+        return 1.0 / static_cast<double>(points_.range[rows[i + 1]]) -
+               1.0 / static_cast<double>(points_.range[rows[i]]);
+    };
+    const auto alike = [&](double a, double b) {
+        return a * b > 0.0 &&
+               std::min(std::abs(a), std::abs(b)) >= options_.alike_steps * std::max(std::abs(a), std::abs(b));
+    };
+    if (rows[1] == kNothing || rows[2] == kNothing || (rows[0] == kNothing && rows[3] == kNothing)) return false;
+    return (rows[0] == kNothing || alike(step(0), step(1))) && (rows[3] == kNothing || alike(step(1), step(2)));
+}
 
 // No pixel lies between corners in the same or in touching pixels.
 bool Closing::touch(const std::array<std::uint32_t, 3>& corners) const noexcept {
@@ -84,7 +103,6 @@ std::optional<std::array<Eigen::Vector2d, 3>> Closing::in_picture(const std::arr
 
 // Every empty pixel whose middle lies in the triangle shows the corner next to it.
 void Closing::fill(const std::array<std::uint32_t, 3>& corners) {
-    if (!agree(corners[0], corners[1]) || !agree(corners[1], corners[2]) || !agree(corners[2], corners[0])) return;
     if (touch(corners)) return;
     const auto at = in_picture(corners);
     if (!at) return;
@@ -123,22 +141,34 @@ void Closing::along_grid() {
         std::uint32_t& best = at[points_.row[i] * columns + points_.column[i]];
         if (best == kNothing || points_.range[i] < points_.range[best]) best = i;
     }
+    const auto point = [&](std::size_t row, std::size_t column) { // row may have wrapped below 0
+        return row < rows ? at[row * columns + column] : kNothing;
+    };
+    const auto agree_upwards = [&](std::size_t row, std::size_t column) {
+        const std::array<std::uint32_t, 4> four = {point(row - 1, column), point(row, column), point(row + 1, column),
+                                                   point(row + 2, column)};
+        return agree(four[1], four[2]) || goes_on(four);
+    };
     for (std::size_t row = 0; row + 1 < rows; ++row) {
+        bool left = agree_upwards(row, 0);
         for (std::size_t column = 0; column < columns; ++column) {
             const std::size_t beside = (column + 1) % columns; // a whole turn closes
-            const std::uint32_t a = at[row * columns + column];
-            const std::uint32_t b = at[row * columns + beside];
-            const std::uint32_t c = at[(row + 1) * columns + column];
-            const std::uint32_t d = at[(row + 1) * columns + beside];
+            const std::uint32_t a = point(row, column);
+            const std::uint32_t b = point(row, beside);
+            const std::uint32_t c = point(row + 1, column);
+            const std::uint32_t d = point(row + 1, beside);
+            const bool right = agree_upwards(row, beside);
+            // Each half of the cell has one side along the row and one across it, which together speak for its
+            // diagonal.
             if (b == kNothing || c == kNothing) {
                 // The other diagonal, for cells with one corner missing.
-                if (a == kNothing || d == kNothing) continue;
-                if (b != kNothing) fill({a, b, d});
-                if (c != kNothing) fill({a, d, c});
-                continue;
+                if (right && agree(a, b)) fill({a, b, d});
+                if (left && agree(c, d)) fill({a, d, c});
+            } else {
+                if (left && agree(a, b)) fill({a, b, c});
+                if (right && agree(c, d)) fill({b, d, c});
             }
-            if (a != kNothing) fill({a, b, c});
-            if (d != kNothing) fill({b, d, c});
+            left = right;
         }
     }
 }

@@ -26,12 +26,14 @@ struct ClosedPixel {
 };
 
 struct GapOptions {
-    int most_pixels = 3;     ///< that may be closed in a row or column of the picture
-    double agreement = 0.03; ///< so much may the ranges on both sides differ, as a share of the range
+    int most_pixels = 3;       ///< that may be closed in a row or column of the picture
+    double agreement = 0.03;   ///< so much may the ranges on both sides differ, as a share of the range
+    double alike_steps = 0.65; ///< ground going on: smallest to largest of three steps of the inverse range
 };
 
 /// Pixels in small holes. Where the scanner's grid is known, whatever lies between neighbours in the grid that agree in
-/// range, however far apart they are in the picture; then gaps in rows and in columns of the picture. No pixel twice.
+/// range, or across whose rows one plane of ground goes on, however far apart they are in the picture; then gaps in
+/// rows and in columns of the picture. No pixel twice.
 [[nodiscard]] std::vector<ClosedPixel> close_gaps(const Projection& projection, const PicturePoints& points,
                                                   const GapOptions& options);
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "core/base/error.hpp"
@@ -219,6 +220,45 @@ TEST_CASE("Small holes are closed where both sides agree in range, and have the 
     step.z = {left.z(), right.z()};
     options.gaps.most_pixels = 3;
     CHECK(unroll(step, options).filled() == 2);
+}
+
+TEST_CASE("Flat ground far away is closed between the rows of the grid, a step behind a wall is not") {
+    // Ground 1.7 m below the scanner in rows 0.3° apart: at 30 m the next row is 3 m further. In columns 40 to 59 a
+    // wall 12 m away hides what lies below -4°.
+    PanoramaOptions options;
+    options.projection = small(ProjectionKind::Equirectangular);
+    const double degree = std::numbers::pi / 180.0;
+    options.projection.elevation_from = -7.0 * degree;
+    options.projection.elevation_to = -2.0 * degree; // 0.05° to a pixel
+    const auto wall = [](std::uint32_t column) { return column >= 40 && column < 60; };
+    PointBlock block;
+    for (std::uint32_t row = 0; row < 16; ++row) {
+        for (std::uint32_t column = 0; column < 360; ++column) {
+            const double elevation = (-2.125 - 0.3 * row) * degree;
+            const double azimuth = (179.5 - column) * degree;
+            const bool hidden = wall(column) && elevation < -4.0 * degree;
+            const double range = hidden ? 12.0 / std::cos(elevation) : 1.7 / -std::sin(elevation);
+            block.x.push_back(range * std::cos(elevation) * std::cos(azimuth));
+            block.y.push_back(range * std::cos(elevation) * std::sin(azimuth));
+            block.z.push_back(range * std::sin(elevation));
+            block.validity.push_back(Validity::Valid);
+            block.row.push_back(row);
+            block.column.push_back(column);
+        }
+    }
+    PanoramaBuilder builder(options, {false, false, true, false});
+    builder.add(block);
+    const Panorama panorama = builder.finish(Progress::none());
+    const auto empty = [&](int column, int from, int to) {
+        int count = 0;
+        for (int row = from; row < to; ++row) count += panorama.points_at(column, row).empty() ? 1 : 0;
+        return count;
+    };
+    // Rows 2 and 90 of the picture have the outermost rows of the grid.
+    CHECK(empty(100, 3, 90) == 0);
+    // Between the wall's last row (at -4.225°, row 44) and the ground behind it (-3.925°, row 38).
+    CHECK(empty(50, 39, 44) == 5);
+    CHECK(empty(50, 45, 90) == 0);
 }
 
 TEST_CASE("A sub-pixel shows its place on the surface") {
