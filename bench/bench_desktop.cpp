@@ -141,6 +141,27 @@ class Pulse {
     qint64 longest_ = 0;
 };
 
+// Says with PLANUM_BENCH_SLOW=MILLISECONDS which single events took longer: who got them, of what type.
+class TracingApplication : public QApplication {
+  public:
+    using QApplication::QApplication;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        if (limit_ <= 0) return QApplication::notify(receiver, event);
+        const QByteArray who = receiver->metaObject()->className() + QByteArray(" ") + receiver->objectName().toUtf8();
+        const QEvent::Type type = event->type(); // both may be gone afterwards
+        QElapsedTimer timer;
+        timer.start();
+        const bool taken = QApplication::notify(receiver, event);
+        if (timer.elapsed() > limit_)
+            fmt::print("  {} ms: event {} for {}\n", timer.elapsed(), static_cast<int>(type), who.toStdString());
+        return taken;
+    }
+
+  private:
+    int limit_ = qEnvironmentVariableIntValue("PLANUM_BENCH_SLOW");
+};
+
 double seconds_until(const std::function<bool()>& reached) {
     QElapsedTimer timer;
     timer.start();
@@ -201,7 +222,7 @@ void measure_space(MainWindow& window) {
 int main(int argc, char** argv) {
     const std::int64_t points = 1'000'000LL * (argc > 1 ? std::atoi(argv[1]) : 8);
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-    QApplication application(argc, argv);
+    const TracingApplication application(argc, argv);
     apply_theme(ThemeKind::Light);
     bench::Scratch scratch;
     const fs::path site = scratch / "site.gpkg";

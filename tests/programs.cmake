@@ -23,6 +23,10 @@ if(NOT PLANUM_SANITIZE)
 endif()
 planum_program_test(gui/verbs_in_table gui python3 ${PROJECT_SOURCE_DIR}/tests/gui/verbs_in_table.py $<TARGET_FILE:planum>
   ${PROJECT_SOURCE_DIR}/docs/desktop.md)
+if(TARGET planum-desktop AND NOT PLANUM_SANITIZE)
+  planum_program_test(gui/without_opengl gui ${PROJECT_SOURCE_DIR}/tests/gui/without_opengl.sh $<TARGET_FILE:planum>
+    $<TARGET_FILE:planum-desktop>)
+endif()
 find_program(PLANUM_LUPDATE lupdate HINTS /usr/lib/qt6/bin)
 if(PLANUM_LUPDATE)
   planum_program_test(gui/translations gui python3 ${PROJECT_SOURCE_DIR}/tests/gui/translations.py ${PROJECT_SOURCE_DIR} ${PLANUM_LUPDATE})

@@ -60,12 +60,28 @@ PointVertex vertex_of(const scans::PointBlock& points, std::size_t i, const Eige
         paint(vertex, height_colour((x_in_site.z() - query.height_low) / span), 0.55 + 0.45 * light_of(points, i));
         break;
     }
+    case PointColour::Unit: {
+        const std::uint32_t tint = query.tints == nullptr ? 0 : query.tints->at(x_in_site.x(), x_in_site.y());
+        if (tint == 0) {
+            paint(vertex, 0xffffff, 0.45 * light_of(points, i));
+        } else {
+            paint(vertex, tint, 0.35 + 0.8 * light_of(points, i));
+        }
+        break;
+    }
     case PointColour::Day: paint(vertex, scan.tint, 0.35 + 0.8 * light_of(points, i)); break;
     }
     return vertex;
 }
 
 } // namespace
+
+std::uint32_t TintGrid::at(double x, double y) const noexcept {
+    const double column = std::floor((x - low_x) / cell);
+    const double row = std::floor((y - low_y) / cell);
+    if (!(column >= 0.0 && row >= 0.0 && column < width && row < height)) return 0;
+    return rgb[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+}
 
 std::uint32_t height_colour(double share) noexcept {
     constexpr std::array<std::array<double, 3>, 5> kStops = {
@@ -108,7 +124,7 @@ PointSet choose_points(const std::vector<ShownScan>& scans, const PointQuery& qu
     return set;
 }
 
-SceneBounds bounds_of(const std::vector<ShownScan>& scans) {
+SceneCorners corners_of(const std::vector<ShownScan>& scans) {
     if (scans.empty()) return {};
     Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
     Eigen::Vector3d high = Eigen::Vector3d::Constant(-1e300);
@@ -124,7 +140,12 @@ SceneBounds bounds_of(const std::vector<ShownScan>& scans) {
             high = high.cwiseMax(x_in_site);
         }
     }
-    return {(low + high) / 2.0, (high - low).norm() / 2.0};
+    return {low, high};
+}
+
+SceneBounds bounds_of(const std::vector<ShownScan>& scans) {
+    const SceneCorners corners = corners_of(scans);
+    return {(corners.low + corners.high) / 2.0, (corners.high - corners.low).norm() / 2.0};
 }
 
 std::optional<Eigen::Vector3d> pick_point(const std::vector<ShownScan>& scans, const Camera::Sight& sight,

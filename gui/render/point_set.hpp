@@ -22,7 +22,19 @@ struct ShownScan {
     std::uint32_t tint = 0x808080; ///< of the day or surface, 0xRRGGBB
 };
 
-enum class PointColour { Intensity, Colour, Height, Day };
+enum class PointColour { Intensity, Colour, Height, Day, Unit };
+
+/// Colours of the ground in plan, cell by cell: which unit lies there. 0 where none does.
+struct TintGrid {
+    double low_x = 0.0; ///< site [m]
+    double low_y = 0.0;
+    double cell = 0.02; ///< [m]
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint32_t> rgb; ///< row by row from the south, 0xRRGGBB
+
+    [[nodiscard]] std::uint32_t at(double x, double y) const noexcept;
+};
 
 /// One point ready for the graphics card, relative to PointSet::origin.
 struct PointVertex {
@@ -51,7 +63,8 @@ struct PointQuery {
     std::uint64_t budget = 300'000;
     PointColour colour = PointColour::Intensity;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    double height_low = 0.0; ///< colours of heights run from here … [m]
+    std::shared_ptr<const TintGrid> tints; ///< for PointColour::Unit; null: nothing is outlined
+    double height_low = 0.0;               ///< colours of heights run from here … [m]
     double height_high = 1.0;
 };
 
@@ -66,6 +79,14 @@ struct SceneBounds {
 };
 
 [[nodiscard]] SceneBounds bounds_of(const std::vector<ShownScan>& scans);
+
+/// Box around all scans of the list, in site coordinates [m]; both at the origin where there are none.
+struct SceneCorners {
+    Eigen::Vector3d low = Eigen::Vector3d::Zero();
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();
+};
+
+[[nodiscard]] SceneCorners corners_of(const std::vector<ShownScan>& scans);
 
 /// The point under a line of sight: the nearest of all scans; nullopt where there is none.
 [[nodiscard]] std::optional<Eigen::Vector3d> pick_point(const std::vector<ShownScan>& scans, const Camera::Sight& sight,

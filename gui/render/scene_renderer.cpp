@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gui/render/scene_renderer.hpp"
 
+#include <QElapsedTimer>
 #include <QMatrix4x4>
 #include <QOpenGLBuffer>
 #include <QOpenGLContext>
@@ -10,10 +11,12 @@
 #include <QVector2D>
 #include <QVector3D>
 
+#include <algorithm>
 #include <array>
-#include <initializer_list>
+#include <utility>
 
 #include "core/base/error.hpp"
+#include "gui/render/gl_target.hpp"
 
 namespace planum::gui {
 
@@ -26,8 +29,15 @@ layout(location = 0) in vec3 place;
 layout(location = 1) in vec4 colour;
 uniform mat4 clip;
 uniform float pixels;
+uniform vec3 box_low;
+uniform vec3 box_high;
 out vec4 tint;
-void main() { gl_Position = clip * vec4(place, 1.0); gl_PointSize = pixels; tint = colour; }
+void main() {
+  bool outside = any(lessThan(place, box_low)) || any(greaterThan(place, box_high));
+  gl_Position = outside ? vec4(0.0, 0.0, 2.0, 1.0) : clip * vec4(place, 1.0);
+  gl_PointSize = pixels;
+  tint = colour;
+}
 )";
 
 const char* const kPointFragment = R"(#version 330 core
@@ -72,6 +82,18 @@ void main() {
 }
 )";
 
+const char* const kCopyFragment = R"(#version 330 core
+in vec2 at;
+out vec4 result;
+uniform sampler2D colours;
+void main() { result = texture(colours, at); }
+)";
+
+// One step of the still picture ends soon after its time is up: so much is done between two looks at the clock.
+constexpr std::size_t kPointsAtOnce = 100'000;
+constexpr std::size_t kUploadAtOnce = 400'000;
+constexpr int kRowsAtOnce = 50;
+
 struct LineRange {
     GLint first = 0;
     GLsizei count = 0;
@@ -95,98 +117,77 @@ struct SceneRenderer::Gl {
         Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     };
 
+    // How far the still picture is: first the points go to the driver, then into `scene`, then shaded into `picture`.
+    struct Still {
+        std::shared_ptr<const PointSet> points; ///< until they are uploaded
+        std::size_t uploaded = 0;
+        Frame frame;
+        std::size_t drawn = 0;
+        int shaded_rows = 0;
+        bool begun = false;
+        bool finished = false;
+    };
+
     QOpenGLExtraFunctions* f = nullptr;
     QOpenGLShaderProgram points;
     QOpenGLShaderProgram dome;
+    QOpenGLShaderProgram copy;
     std::array<Buffer, 3> buffers; ///< moving, still, lines
     QOpenGLVertexArrayObject nothing;
     std::vector<LineRange> lines;
-    GLuint framebuffer = 0;
-    GLuint colours = 0;
-    GLuint depths = 0;
-    int width = 0;
-    int height = 0;
+    GlTarget scene{GlTarget::Depths::With};
+    GlTarget picture{GlTarget::Depths::Without};
+    Still still;
 
-    void link(QOpenGLShaderProgram& program, const char* vertex, const char* fragment) {
+    static void link(QOpenGLShaderProgram& program, const char* vertex, const char* fragment) {
         if (!program.addShaderFromSourceCode(QOpenGLShader::Vertex, vertex) ||
             !program.addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program.link()) {
             throw Error(ErrorCode::Io, "the graphics driver refuses a shader: " + program.log().toStdString());
         }
     }
 
-    void upload(Buffer& buffer, const std::vector<PointVertex>& vertices, const Eigen::Vector3d& origin) {
-        if (f == nullptr) return; // the driver refused
+    void make_buffer(Buffer& buffer, const void* vertices, std::size_t count, const Eigen::Vector3d& origin) {
         QOpenGLVertexArrayObject::Binder bind(&buffer.layout);
         buffer.vertices.bind();
-        buffer.vertices.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(PointVertex)));
+        buffer.vertices.allocate(vertices, static_cast<int>(count * sizeof(PointVertex)));
         f->glEnableVertexAttribArray(0);
         f->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(PointVertex), nullptr);
         f->glEnableVertexAttribArray(1);
         f->glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(PointVertex), reinterpret_cast<void*>(12));
         buffer.vertices.release();
-        buffer.count = vertices.size();
+        buffer.count = count;
         buffer.origin = origin;
     }
 
-    GLuint texture(GLint inside, GLenum format, GLenum type) {
-        GLuint made = 0;
-        f->glGenTextures(1, &made);
-        f->glBindTexture(GL_TEXTURE_2D, made);
-        f->glTexImage2D(GL_TEXTURE_2D, 0, inside, width, height, 0, format, type, nullptr);
-        for (const GLenum parameter : std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-            f->glTexParameteri(GL_TEXTURE_2D, parameter, GL_NEAREST);
-        }
-        for (const GLenum parameter : std::initializer_list<GLenum>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-            f->glTexParameteri(GL_TEXTURE_2D, parameter, GL_CLAMP_TO_EDGE);
-        }
-        return made;
-    }
-
-    void size_target(int wanted_width, int wanted_height) {
-        if (width == wanted_width && height == wanted_height) return;
-        free_target();
-        width = wanted_width;
-        height = wanted_height;
-        colours = texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
-        depths = texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
-        f->glGenFramebuffers(1, &framebuffer);
-        f->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        f->glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colours, 0);
-        f->glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depths, 0);
-        if (f->glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-            throw Error(ErrorCode::Io, "the graphics driver cannot draw beside the screen");
-        }
-    }
-
-    void free_target() {
-        if (framebuffer != 0) f->glDeleteFramebuffers(1, &framebuffer);
-        if (colours != 0) f->glDeleteTextures(1, &colours);
-        if (depths != 0) f->glDeleteTextures(1, &depths);
-        framebuffer = colours = depths = 0;
-        width = height = 0;
-    }
-
-    void draw_buffer(const Buffer& buffer, const Frame& frame) {
+    void set_view(const Buffer& buffer, const Frame& frame, const SceneBox& box) {
         const Eigen::Matrix4f clip =
             frame.camera.clip_from(buffer.origin, static_cast<double>(frame.width) / frame.height).cast<float>();
         points.setUniformValue("clip", QMatrix4x4(clip.data()).transposed());
         points.setUniformValue("pixels", frame.point_pixels);
+        const auto relative = [&](const Eigen::Vector3d& x) {
+            const Eigen::Vector3f v = (x - buffer.origin).cast<float>();
+            return QVector3D(v.x(), v.y(), v.z());
+        };
+        points.setUniformValue("box_low", relative(box.low));
+        points.setUniformValue("box_high", relative(box.high));
     }
 
-    void draw_scene(const Frame& frame) {
+    void clear(const Frame& frame) const {
         const QVector3D ground = rgb_of(frame.ground);
         f->glViewport(0, 0, frame.width, frame.height);
         f->glClearColor(ground.x(), ground.y(), ground.z(), 1.0F);
         f->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+
+    void draw_points(Buffer& cloud, const Frame& frame, std::size_t first, std::size_t count) {
+        if (count == 0) return;
+        f->glViewport(0, 0, frame.width, frame.height);
         f->glEnable(GL_DEPTH_TEST);
         f->glEnable(kProgramPointSize);
         points.bind();
-        Buffer& cloud = buffers[frame.slot == Slot::Still && buffers[1].count > 0 ? 1 : 0];
-        if (cloud.count > 0) {
-            draw_buffer(cloud, frame);
-            QOpenGLVertexArrayObject::Binder bind(&cloud.layout);
-            f->glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(cloud.count));
-        }
+        set_view(cloud, frame, frame.box);
+        QOpenGLVertexArrayObject::Binder bind(&cloud.layout);
+        f->glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
         points.release();
     }
 
@@ -195,7 +196,7 @@ struct SceneRenderer::Gl {
         if (lines.empty()) return;
         f->glDisable(GL_DEPTH_TEST);
         points.bind();
-        draw_buffer(buffers[2], frame);
+        set_view(buffers[2], frame, SceneBox{});
         QOpenGLVertexArrayObject::Binder bind(&buffers[2].layout);
         for (const LineRange& line : lines) {
             f->glLineWidth(line.strong ? 3.0F : 1.5F);
@@ -204,39 +205,91 @@ struct SceneRenderer::Gl {
         points.release();
     }
 
-    void draw_dome(const Frame& frame) {
-        f->glBindFramebuffer(GL_FRAMEBUFFER, frame.target_framebuffer);
-        f->glViewport(0, 0, frame.width, frame.height);
+    // Fills what is drawn into with what `program` makes of the scene's or picture's colours.
+    void draw_whole(QOpenGLShaderProgram& program, const GlTarget& from) {
         f->glDisable(GL_DEPTH_TEST);
-        dome.bind();
-        f->glActiveTexture(GL_TEXTURE0);
-        f->glBindTexture(GL_TEXTURE_2D, colours);
         f->glActiveTexture(GL_TEXTURE1);
-        f->glBindTexture(GL_TEXTURE_2D, depths);
-        dome.setUniformValue("colours", 0);
-        dome.setUniformValue("depths", 1);
-        dome.setUniformValue("pixel", QVector2D(1.0F / static_cast<float>(width), 1.0F / static_cast<float>(height)));
-        dome.setUniformValue("near_plane", static_cast<float>(Camera::kNear * frame.camera.distance));
-        dome.setUniformValue("far_plane", static_cast<float>(Camera::kFar * frame.camera.distance));
-        dome.setUniformValue("parallel", frame.camera.from_above);
+        f->glBindTexture(GL_TEXTURE_2D, from.depths());
+        f->glActiveTexture(GL_TEXTURE0);
+        f->glBindTexture(GL_TEXTURE_2D, from.colours());
+        program.setUniformValue("colours", 0);
         QOpenGLVertexArrayObject::Binder bind(&nothing);
         f->glDrawArrays(GL_TRIANGLES, 0, 3);
-        dome.release();
-        f->glActiveTexture(GL_TEXTURE0);
+    }
+
+    void shade_rows(const Frame& frame, int first, int count) {
+        f->glBindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
+        f->glViewport(0, 0, frame.width, frame.height);
+        f->glEnable(GL_SCISSOR_TEST);
+        f->glScissor(0, first, frame.width, count);
+        QOpenGLShaderProgram& program = frame.eye_dome ? dome : copy;
+        program.bind();
+        program.setUniformValue("depths", 1);
+        program.setUniformValue(
+            "pixel", QVector2D(1.0F / static_cast<float>(frame.width), 1.0F / static_cast<float>(frame.height)));
+        program.setUniformValue("near_plane", static_cast<float>(Camera::kNear * frame.camera.distance));
+        program.setUniformValue("far_plane", static_cast<float>(Camera::kFar * frame.camera.distance));
+        program.setUniformValue("parallel", frame.camera.from_above);
+        draw_whole(program, scene);
+        program.release();
+        f->glDisable(GL_SCISSOR_TEST);
+    }
+
+    void begin_still() {
+        scene.size(*f, still.frame.width, still.frame.height);
+        picture.size(*f, still.frame.width, still.frame.height);
+        f->glBindFramebuffer(GL_FRAMEBUFFER, scene.framebuffer());
+        clear(still.frame);
+        still.begun = true;
+    }
+
+    // A little of what is left of the still picture.
+    void go_on() {
+        Buffer& cloud = buffers[1];
+        if (still.points != nullptr) {
+            const std::vector<PointVertex>& all = still.points->points;
+            if (still.uploaded == 0) make_buffer(cloud, nullptr, all.size(), still.points->origin);
+            const std::size_t now = std::min(kUploadAtOnce, all.size() - still.uploaded);
+            cloud.vertices.bind();
+            if (now > 0) {
+                cloud.vertices.write(static_cast<int>(still.uploaded * sizeof(PointVertex)),
+                                     all.data() + still.uploaded, static_cast<int>(now * sizeof(PointVertex)));
+            }
+            cloud.vertices.release();
+            still.uploaded += now;
+            if (still.uploaded == all.size()) still.points = nullptr;
+            return;
+        }
+        if (!still.begun) return begin_still();
+        if (still.drawn < cloud.count) {
+            const std::size_t now = std::min(kPointsAtOnce, cloud.count - still.drawn);
+            f->glBindFramebuffer(GL_FRAMEBUFFER, scene.framebuffer());
+            draw_points(cloud, still.frame, still.drawn, now);
+            still.drawn += now;
+        } else {
+            const int now = std::min(kRowsAtOnce, still.frame.height - still.shaded_rows);
+            shade_rows(still.frame, still.shaded_rows, now);
+            still.shaded_rows += now;
+            still.finished = still.shaded_rows >= still.frame.height;
+        }
+        f->glFinish(); // else the driver only takes note, and all of it is waited for at the end
     }
 };
 
 SceneRenderer::SceneRenderer() : gl_(std::make_unique<Gl>()) {}
 
 SceneRenderer::~SceneRenderer() {
-    if (gl_->f != nullptr && QOpenGLContext::currentContext() != nullptr) gl_->free_target();
+    if (gl_->f == nullptr || QOpenGLContext::currentContext() == nullptr) return;
+    gl_->scene.free(*gl_->f);
+    gl_->picture.free(*gl_->f);
 }
 
 void SceneRenderer::initialise() {
     QOpenGLContext* context = QOpenGLContext::currentContext();
     if (context == nullptr) throw Error(ErrorCode::Io, "there is no OpenGL here");
-    gl_->link(gl_->points, kPointVertex, kPointFragment);
-    gl_->link(gl_->dome, kWholeVertex, kDomeFragment);
+    Gl::link(gl_->points, kPointVertex, kPointFragment);
+    Gl::link(gl_->dome, kWholeVertex, kDomeFragment);
+    Gl::link(gl_->copy, kWholeVertex, kCopyFragment);
     gl_->nothing.create();
     for (Gl::Buffer& buffer : gl_->buffers) {
         buffer.layout.create();
@@ -246,13 +299,37 @@ void SceneRenderer::initialise() {
     gl_->f = context->extraFunctions(); // last: without it nothing is drawn or kept
 }
 
-void SceneRenderer::set_points(Slot slot, const PointSet& points) {
-    gl_->upload(gl_->buffers[slot == Slot::Moving ? 0 : 1], points.points, points.origin);
+void SceneRenderer::set_moving(const PointSet& points) {
+    if (gl_->f == nullptr) return;
+    gl_->make_buffer(gl_->buffers[0], points.points.data(), points.points.size(), points.origin);
+}
+
+void SceneRenderer::set_still(std::shared_ptr<const PointSet> points, const Frame& frame) {
+    gl_->still = {};
+    gl_->still.points = std::move(points);
+    gl_->still.frame = frame;
+}
+
+void SceneRenderer::draw_still_again(const Frame& frame) {
+    Gl::Still& still = gl_->still;
+    still.frame = frame;
+    still.drawn = 0;
+    still.shaded_rows = 0;
+    still.begun = still.finished = false;
+}
+
+bool SceneRenderer::advance_still(int milliseconds) {
+    if (gl_->f == nullptr) return true;
+    QElapsedTimer timer;
+    timer.start();
+    while (!gl_->still.finished && timer.elapsed() < milliseconds) gl_->go_on();
+    return gl_->still.finished;
 }
 
 std::size_t SceneRenderer::points(Slot slot) const { return gl_->buffers[slot == Slot::Moving ? 0 : 1].count; }
 
 void SceneRenderer::set_lines(const std::vector<SceneLine>& lines, const Eigen::Vector3d& origin) {
+    if (gl_->f == nullptr) return;
     std::vector<PointVertex> vertices;
     gl_->lines.clear();
     for (const SceneLine& line : lines) {
@@ -265,19 +342,20 @@ void SceneRenderer::set_lines(const std::vector<SceneLine>& lines, const Eigen::
                                 255});
         }
     }
-    gl_->upload(gl_->buffers[2], vertices, origin);
+    gl_->make_buffer(gl_->buffers[2], vertices.data(), vertices.size(), origin);
 }
 
 void SceneRenderer::draw(const Frame& frame) {
     if (gl_->f == nullptr) return;
-    if (frame.eye_dome) {
-        gl_->size_target(frame.width, frame.height);
-        gl_->f->glBindFramebuffer(GL_FRAMEBUFFER, gl_->framebuffer);
-        gl_->draw_scene(frame);
-        gl_->draw_dome(frame);
+    gl_->f->glBindFramebuffer(GL_FRAMEBUFFER, frame.target_framebuffer);
+    if (frame.slot == Slot::Still && gl_->still.finished) {
+        gl_->f->glViewport(0, 0, frame.width, frame.height);
+        gl_->copy.bind();
+        gl_->draw_whole(gl_->copy, gl_->picture);
+        gl_->copy.release();
     } else {
-        gl_->f->glBindFramebuffer(GL_FRAMEBUFFER, frame.target_framebuffer);
-        gl_->draw_scene(frame);
+        gl_->clear(frame);
+        gl_->draw_points(gl_->buffers[0], frame, 0, gl_->buffers[0].count);
     }
     gl_->draw_lines(frame);
 }

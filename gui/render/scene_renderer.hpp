@@ -19,6 +19,12 @@ struct SceneLine {
     bool strong = false;
 };
 
+/// Only points inside it are drawn; by itself everything is. Site coordinates [m].
+struct SceneBox {
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(-1e9);
+    Eigen::Vector3d high = Eigen::Vector3d::Constant(1e9);
+};
+
 /// Draws points and lines with OpenGL 3.3. All calls need the same current context; where one fails it throws
 /// Error{Io} with the reason, and the rest of the program goes on without.
 class SceneRenderer {
@@ -33,9 +39,6 @@ class SceneRenderer {
     /// What is drawn while the camera moves, and what when it stands still.
     enum class Slot { Moving, Still };
 
-    void set_points(Slot slot, const PointSet& points);
-    void set_lines(const std::vector<SceneLine>& lines, const Eigen::Vector3d& origin);
-
     struct Frame {
         Camera camera;
         int width = 1; ///< [px]
@@ -44,9 +47,22 @@ class SceneRenderer {
         bool eye_dome = false; ///< shading by depth, which makes shapes readable without normals (Boucheny 2009)
         float point_pixels = 2.0F;
         std::uint32_t ground = 0xffffff;
+        SceneBox box;
         std::uint32_t target_framebuffer = 0; ///< what is drawn into
     };
 
+    void set_moving(const PointSet& points);
+    void set_lines(const std::vector<SceneLine>& lines, const Eigen::Vector3d& origin);
+
+    /// The still picture is made of millions of points: in steps beside the screen, so that the window answers between
+    /// them. `frame` says how; its target counts only in draw().
+    void set_still(std::shared_ptr<const PointSet> points, const Frame& frame);
+    /// The same points once more: another shading, another ground.
+    void draw_still_again(const Frame& frame);
+    /// Works on it for about so long; true once it is finished.
+    bool advance_still(int milliseconds);
+
+    /// The finished still picture, or the moving points as long as there is none; lines over either.
     void draw(const Frame& frame);
     [[nodiscard]] std::size_t points(Slot slot) const;
 

@@ -85,6 +85,8 @@ std::vector<SpaceModel::Outline> SpaceModel::outlines() const {
     return outlines;
 }
 
+model::SurfaceId SpaceModel::surface() const { return time_.surface(); }
+
 model::UnitId SpaceModel::unit_at(double x, double y) const {
     if (!workspace_.is_open() || time_.surface().is_nil()) return {};
     const auto shapes = regions_in_plan(*workspace_.snapshot(), time_.surface());

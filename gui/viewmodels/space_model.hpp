@@ -38,6 +38,9 @@ class SpaceModel : public QObject {
 
     [[nodiscard]] std::vector<Outline> outlines() const;
 
+    /// Whose outlines are shown; nil: none.
+    [[nodiscard]] model::SurfaceId surface() const;
+
     /// The unit whose outline on the current surface holds a place of the site, smallest first; nil: none.
     [[nodiscard]] model::UnitId unit_at(double x, double y) const;
 

@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "gui/widgets/space/space_canvas.hpp"
 
+#include <QBuffer>
 #include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QImage>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QPainter>
+#include <QPainterPath>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "gui/render/flight.hpp"
+#include "gui/viewmodels/region_shapes.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -25,7 +36,9 @@ namespace {
 
 constexpr std::uint64_t kMovingPoints = 300'000;
 constexpr std::uint64_t kStillPoints = 4'000'000;
-constexpr int kSettle = 180; // [ms] without a move before the fine set is chosen
+constexpr std::uint64_t kFlightPoints = 1'500'000; // of each frame of a flight: there are hundreds
+constexpr int kSettle = 180;                       // [ms] without a move before the fine set is chosen
+constexpr int kStep = 40; // [ms] of work on the still picture between two looks at what was pressed
 constexpr double kClick = 4.0;
 constexpr double kRound = 0.55; // share of the ball around all scans that fit() shows: fences stand far off
 
@@ -42,9 +55,49 @@ std::uint32_t tint_of(std::size_t day) {
     return kTints[day % kTints.size()];
 }
 
+std::shared_ptr<const TintGrid> tints_of(const std::vector<RegionShape>& shapes, const model::RecordIndex& index) {
+    constexpr double kMostCells = 3000.0; // along either side
+    const QRectF bounds = bounds_of(shapes);
+    if (bounds.isEmpty()) return nullptr;
+    auto grid = std::make_shared<TintGrid>();
+    grid->low_x = bounds.left();
+    grid->low_y = bounds.top();
+    grid->cell = std::max(0.02, std::max(bounds.width(), bounds.height()) / kMostCells);
+    grid->width = static_cast<int>(std::ceil(bounds.width() / grid->cell));
+    grid->height = static_cast<int>(std::ceil(bounds.height() / grid->cell));
+    QImage image(grid->width, grid->height, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    painter.scale(1.0 / grid->cell, 1.0 / grid->cell);
+    painter.translate(-grid->low_x, -grid->low_y);
+    painter.setPen(Qt::NoPen);
+    for (const RegionShape& shape : shapes) { // largest first: what lies inside it is painted over it
+        const model::UnitIndex unit = index.find(shape.unit);
+        if (unit == model::kNoUnit) continue;
+        // Neighbouring numbers get hues far apart (multiples of the golden section).
+        const double hue = std::fmod(0.12 + 0.618034 * static_cast<double>(unit), 1.0);
+        painter.setBrush(QColor::fromHsvF(static_cast<float>(hue), 0.55F, 0.95F));
+        QPainterPath path;
+        for (const PointList& ring : shape.rings) path.addPolygon(QPolygonF(ring));
+        painter.drawPath(path);
+    }
+    painter.end();
+    grid->rgb.reserve(static_cast<std::size_t>(grid->width) * static_cast<std::size_t>(grid->height));
+    for (int y = 0; y < grid->height; ++y) {
+        for (int x = 0; x < grid->width; ++x) grid->rgb.push_back(image.pixel(x, y) & 0xffffffU);
+    }
+    return grid;
+}
+
 } // namespace
 
 QString opengl_trouble() {
+    // Qt's platforms without a screen may well hand out a context, yet none that a widget can draw with.
+    if (const QString platform = QGuiApplication::platformName();
+        platform == QLatin1String("offscreen") || platform == QLatin1String("minimal")) {
+        return SpaceCanvas::tr("The 3D view needs a display; the program runs without one (%1). All other views work.")
+            .arg(platform);
+    }
     QOffscreenSurface surface;
     surface.setFormat(wanted_format());
     surface.create();
@@ -64,8 +117,7 @@ QString opengl_trouble() {
     return {};
 }
 
-SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
-    : workspace_(workspace), space_(space), renderer_(std::make_unique<SceneRenderer>()) {
+SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space) : workspace_(workspace), space_(space) {
     setObjectName(QStringLiteral("spaceCanvas"));
     setAccessibleName(tr("The site in 3D"));
     setFormat(wanted_format());
@@ -74,18 +126,32 @@ SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
     settle_.setSingleShot(true);
     settle_.setInterval(kSettle);
     connect(&settle_, &QTimer::timeout, this, [this] { ask_for_points(SceneRenderer::Slot::Still); });
+    connect(&step_, &QTimer::timeout, this, &SpaceCanvas::go_on_with_still);
     connect(&space_, &SpaceModel::loaded, this, &SpaceCanvas::take_scans);
     connect(&space_, &SpaceModel::outlinesChanged, this, &SpaceCanvas::take_lines);
+    connect(&workspace_, &Workspace::snapshotChanged, this, [this] {
+        if (colour_ == PointColour::Unit) set_colour(colour_);
+    });
 }
 
-SpaceCanvas::~SpaceCanvas() {
+SpaceCanvas::~SpaceCanvas() { drop_renderer(); }
+
+// What it keeps belongs to one context; with the context it goes.
+void SpaceCanvas::drop_renderer() {
+    step_.stop();
+    still_ = false;
+    if (renderer_ == nullptr) return;
     makeCurrent();
     renderer_.reset();
     doneCurrent();
 }
 
+// Called again where the window is moved to another screen's driver.
 void SpaceCanvas::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SpaceCanvas::drop_renderer,
+            Qt::ConnectionType(Qt::DirectConnection | Qt::UniqueConnection));
     try {
+        renderer_ = std::make_unique<SceneRenderer>();
         renderer_->initialise();
     } catch (const Error& error) {
         emit troubled(qt(error.what()));
@@ -104,12 +170,15 @@ void SpaceCanvas::take_scans() {
         scans_.push_back({placed.store, placed.site_from_scan, tint_of(static_cast<std::size_t>(day - days.begin()))});
     }
     if (scans_.empty()) {
-        if (isValid()) {
+        if (can_draw()) {
             makeCurrent();
-            renderer_->set_points(SceneRenderer::Slot::Moving, {});
-            renderer_->set_points(SceneRenderer::Slot::Still, {});
+            renderer_->set_moving({});
             doneCurrent();
         }
+        settle_.stop();
+        step_.stop();
+        still_ = false;
+        setProperty("busy", false);
         update();
         return;
     }
@@ -157,13 +226,109 @@ void SpaceCanvas::set_colour(PointColour colour) {
 
 void SpaceCanvas::set_eye_dome(bool on) {
     eye_dome_ = on;
-    update();
+    if (!still_ || !can_draw()) return;
+    renderer_->draw_still_again(frame(SceneRenderer::Slot::Still));
+    still_ = false;
+    step_.start();
+}
+
+void SpaceCanvas::set_box(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+    box_ = {};
+    const SceneCorners all = corners_of(scans_);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const double span = all.high(axis) - all.low(axis);
+        if (low.at(i) > 0.0) box_.low(axis) = all.low(axis) + low.at(i) * span;
+        if (high.at(i) < 1.0) box_.high(axis) = all.low(axis) + high.at(i) * span;
+    }
+    move();
+}
+
+void SpaceCanvas::place_camera() {
+    placed_.push_back(camera_);
+    emit camerasChanged();
+}
+
+void SpaceCanvas::forget_cameras() {
+    placed_.clear();
+    emit camerasChanged();
+}
+
+void SpaceCanvas::fly(const std::filesystem::path& folder, int frames) {
+    if (scans_.empty() || placed_.empty()) return;
+    flight_ = Flight{folder, flight_along(placed_, frames), 0};
+    emit flying(0, static_cast<int>(flight_->way.size()));
+    fly_on();
+}
+
+void SpaceCanvas::fly_on() {
+    if (!flight_) return;
+    if (flight_->next == flight_->way.size()) return end_flight();
+    camera_ = flight_->way[flight_->next];
+    still_ = false;
+    step_.stop();
+    settle_.stop();
+    setProperty("busy", true);
+    ask_for_points(SceneRenderer::Slot::Still);
+}
+
+// The frame is on its way to the disk while nothing else is drawn: no frame is lost where the disk is slower.
+void SpaceCanvas::write_frame() {
+    const QImage frame = grabFramebuffer();
+    const std::filesystem::path file = flight_->folder / fmt::format("fly-{:04}.png", flight_->next + 1);
+    workspace_.jobs().start(
+        QStringLiteral("flight"), JobRunner::Queueing::InOrder, tr("Writing %1").arg(qt(file.filename().string())),
+        Job::Kind::Quiet,
+        [this, frame, file](Progress&) -> JobRunner::Done {
+            QByteArray bytes;
+            QBuffer buffer(&bytes);
+            frame.save(&buffer, "PNG");
+            write_file_atomically(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+            return [this] {
+                if (!flight_) return;
+                ++flight_->next;
+                emit flying(static_cast<int>(flight_->next), static_cast<int>(flight_->way.size()));
+                fly_on();
+            };
+        },
+        [this](const QString& sentence) {
+            end_flight();
+            emit troubled(sentence);
+        });
+}
+
+void SpaceCanvas::end_flight() {
+    if (!flight_) return;
+    const auto written = static_cast<int>(flight_->next);
+    flight_.reset();
+    emit flown(written);
 }
 
 void SpaceCanvas::move() {
+    end_flight();
     still_ = false;
+    step_.stop();
     settle_.start();
+    setProperty("busy", true);
     update();
+}
+
+// The millions of points of the still picture are drawn beside the screen, a little at a time.
+void SpaceCanvas::go_on_with_still() {
+    if (!can_draw()) return step_.stop();
+    makeCurrent();
+    try {
+        still_ = renderer_->advance_still(kStep);
+    } catch (const Error& error) {
+        step_.stop();
+        emit troubled(qt(error.what()));
+    }
+    doneCurrent();
+    if (!still_) return;
+    step_.stop();
+    setProperty("busy", false);
+    update();
+    if (flight_) write_frame();
 }
 
 void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
@@ -172,7 +337,7 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
     query.camera = camera_;
     query.aspect = aspect();
     query.everywhere = slot == SceneRenderer::Slot::Moving;
-    query.budget = query.everywhere ? kMovingPoints : kStillPoints;
+    query.budget = query.everywhere ? kMovingPoints : flight_ ? kFlightPoints : kStillPoints;
     query.colour = colour_;
     query.origin = origin_;
     query.height_low = low_;
@@ -180,14 +345,22 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
     workspace_.jobs().start(
         query.everywhere ? QStringLiteral("points moving") : QStringLiteral("points still"),
         JobRunner::Queueing::Newest, tr("Choosing points"), Job::Kind::Quiet,
-        [this, query, slot, scans = scans_](Progress& progress) -> JobRunner::Done {
+        [this, query, slot, scans = scans_, snapshot = workspace_.snapshot(),
+         surface = space_.surface()](Progress& progress) mutable -> JobRunner::Done {
+            if (query.colour == PointColour::Unit && snapshot != nullptr && !surface.is_nil())
+                query.tints = tints_of(regions_in_plan(*snapshot, surface), snapshot->index());
             auto set = std::make_shared<const PointSet>(choose_points(scans, query, progress));
             return [this, set, slot] {
-                if (!isValid()) return;
+                if (!can_draw()) return;
+                if (slot == SceneRenderer::Slot::Still) {
+                    if (settle_.isActive()) return; // moved meanwhile: another set is asked for soon
+                    renderer_->set_still(set, frame(slot));
+                    step_.start();
+                    return;
+                }
                 makeCurrent();
-                renderer_->set_points(slot, *set);
+                renderer_->set_moving(*set);
                 doneCurrent();
-                if (slot == SceneRenderer::Slot::Still) still_ = true;
                 update();
             };
         },
@@ -195,7 +368,7 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
 }
 
 void SpaceCanvas::take_lines() {
-    if (!isValid()) return;
+    if (!can_draw()) return;
     std::vector<SceneLine> lines;
     const Proof& proof = workspace_.proof();
     const auto colour = [](const QColor& c) { return static_cast<std::uint32_t>(c.rgb() & 0xffffffU); };
@@ -215,18 +388,29 @@ void SpaceCanvas::take_lines() {
     update();
 }
 
-void SpaceCanvas::paintGL() {
-    QElapsedTimer timer;
-    timer.start();
+void SpaceCanvas::resizeGL(int, int) {
+    if (!scans_.empty()) move();
+}
+
+SceneRenderer::Frame SpaceCanvas::frame(SceneRenderer::Slot slot) const {
     SceneRenderer::Frame frame;
     frame.camera = camera_;
     const double pixels = devicePixelRatioF();
     frame.width = std::max(1, static_cast<int>(width() * pixels));
     frame.height = std::max(1, static_cast<int>(height() * pixels));
-    frame.slot = still_ ? SceneRenderer::Slot::Still : SceneRenderer::Slot::Moving;
-    frame.eye_dome = eye_dome_ && still_;
-    frame.point_pixels = still_ ? 2.0F : 2.5F;
+    frame.slot = slot;
+    frame.eye_dome = eye_dome_;
+    frame.box = box_;
+    frame.point_pixels = slot == SceneRenderer::Slot::Still ? 2.0F : 2.5F;
     frame.ground = theme().kind == ThemeKind::Sunlight ? 0xffffffU : 0x24272bU;
+    return frame;
+}
+
+void SpaceCanvas::paintGL() {
+    if (!can_draw() || QOpenGLContext::currentContext() == nullptr) return;
+    QElapsedTimer timer;
+    timer.start();
+    SceneRenderer::Frame frame = this->frame(still_ ? SceneRenderer::Slot::Still : SceneRenderer::Slot::Moving);
     frame.target_framebuffer = defaultFramebufferObject();
     try {
         renderer_->draw(frame);

@@ -5,6 +5,8 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,6 +33,20 @@ class SpaceCanvas : public QOpenGLWidget {
     void set_eye_dome(bool on);
     void fit();
     void from_above();
+    /// Shares of what the scans fill, 0 … 1, along x, y and height: what lies outside is cut away.
+    void set_box(const std::array<double, 3>& low, const std::array<double, 3>& high);
+
+    /// Keeps where the camera is now, as the next place of a flight.
+    void place_camera();
+    void forget_cameras();
+
+    [[nodiscard]] std::size_t cameras() const noexcept { return placed_.size(); }
+
+    /// Writes the way along the placed cameras as PNG, `fly-0001.png` and so on, so many frames from each to the next,
+    /// in the size of the view. Moving the camera or another flight ends it. Says flown() at the end.
+    void fly(const std::filesystem::path& folder, int frames);
+
+    [[nodiscard]] bool is_flying() const noexcept { return flight_.has_value(); }
 
     [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
 
@@ -47,9 +63,15 @@ class SpaceCanvas : public QOpenGLWidget {
     void measured(double distance, double rise);
     void troubled(const QString& sentence);
     void framed();
+    /// A flight goes on: frames written of all.
+    void flying(int written, int all);
+    /// It ended with so many frames.
+    void flown(int written);
+    void camerasChanged();
 
   protected:
     void initializeGL() override;
+    void resizeGL(int width, int height) override;
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -58,9 +80,24 @@ class SpaceCanvas : public QOpenGLWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    struct Flight {
+        std::filesystem::path folder;
+        std::vector<Camera> way;
+        std::size_t next = 0;
+    };
+
+    void fly_on();
+    void write_frame();
+    void end_flight();
+
+    [[nodiscard]] bool can_draw() const { return isValid() && renderer_ != nullptr; }
+
+    void drop_renderer();
     void take_scans();
     void take_lines();
     void move();
+    void go_on_with_still();
+    [[nodiscard]] SceneRenderer::Frame frame(SceneRenderer::Slot slot) const;
     void ask_for_points(SceneRenderer::Slot slot);
     void pick_at(QPointF at, bool measure);
 
@@ -68,7 +105,7 @@ class SpaceCanvas : public QOpenGLWidget {
 
     Workspace& workspace_;
     SpaceModel& space_;
-    std::unique_ptr<SceneRenderer> renderer_;
+    std::unique_ptr<SceneRenderer> renderer_; ///< null until there is a context
     std::vector<ShownScan> scans_;
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     double low_ = 0.0;
@@ -76,12 +113,16 @@ class SpaceCanvas : public QOpenGLWidget {
     Camera camera_;
     PointColour colour_ = PointColour::Colour;
     bool eye_dome_ = true;
-    bool still_ = false; ///< the fine set fits the camera
+    bool still_ = false; ///< the still picture is finished and fits the camera
     QTimer settle_;
+    QTimer step_; ///< runs while the still picture is made
     QPointF last_;
     QPointF pressed_;
     bool dragged_ = false;
     std::optional<Eigen::Vector3d> measure_from_;
+    SceneBox box_;
+    std::vector<Camera> placed_;
+    std::optional<Flight> flight_;
     std::size_t drawn_ = 0;
     double frame_ms_ = 0.0;
 };

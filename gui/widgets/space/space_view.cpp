@@ -3,12 +3,18 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "gui/viewmodels/models.hpp"
+#include "gui/widgets/choice_dialog.hpp"
+#include "gui/widgets/space/box_panel.hpp"
 #include "gui/widgets/space/space_canvas.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -35,8 +41,16 @@ void SpaceView::make_canvas() {
         return;
     }
     canvas_ = new SpaceCanvas(models_.workspace, space_);
+    box_ = new BoxPanel;
     column_->addWidget(make_bar());
+    column_->addWidget(box_);
     column_->addWidget(canvas_, 1);
+    box_->hide();
+    connect(box_, &BoxPanel::changed, canvas_, &SpaceCanvas::set_box);
+    connect(canvas_, &SpaceCanvas::flying, this,
+            [this](int written, int all) { said_->setText(tr("frame %1 of %2").arg(written).arg(all)); });
+    connect(canvas_, &SpaceCanvas::flown, this,
+            [this](int written) { said_->setText(tr("%n frame(s) written", nullptr, written)); });
     setFocusProxy(canvas_);
     connect(canvas_, &SpaceCanvas::picked, this, [this](double x, double y, double z) {
         said_->setText(tr("x %1  y %2  height %3 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).arg(z, 0, 'f', 3));
@@ -54,6 +68,7 @@ QWidget* SpaceView::make_bar() {
     colour->addItem(tr("intensity"), static_cast<int>(PointColour::Intensity));
     colour->addItem(tr("height"), static_cast<int>(PointColour::Height));
     colour->addItem(tr("day"), static_cast<int>(PointColour::Day));
+    colour->addItem(tr("unit"), static_cast<int>(PointColour::Unit));
     connect(colour, &QComboBox::activated, this,
             [this, colour] { canvas_->set_colour(static_cast<PointColour>(colour->currentData().toInt())); });
     auto* dome = new QCheckBox(tr("shaded by depth"));
@@ -68,15 +83,60 @@ QWidget* SpaceView::make_bar() {
         connect(made, &QToolButton::clicked, canvas_, press);
         return made;
     };
+    auto* cut = new QToolButton;
+    cut->setObjectName(QStringLiteral("spaceCut"));
+    cut->setText(tr("Cut"));
+    cut->setCheckable(true);
+    cut->setToolTip(tr("Cut away what lies in front, above or behind"));
+    connect(cut, &QToolButton::toggled, this, [this](bool on) {
+        box_->setVisible(on);
+        if (!on) box_->reset();
+    });
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(8, 6, 8, 6);
-    for (QWidget* part : std::initializer_list<QWidget*>{colour, dome, all}) row->addWidget(part);
+    for (QWidget* part : std::initializer_list<QWidget*>{colour, dome, all, cut, make_flight_button()})
+        row->addWidget(part);
     row->addStretch(1);
     row->addWidget(said_);
     row->addWidget(button(tr("From above"), tr("Plan, north up (T)"), &SpaceCanvas::from_above));
     row->addWidget(button(tr("Fit"), tr("The trench (F)"), &SpaceCanvas::fit));
     return bar;
+}
+
+QToolButton* SpaceView::make_flight_button() {
+    auto* menu = new QMenu(this);
+    menu->addAction(tr("Place a camera here"), canvas_, &SpaceCanvas::place_camera)
+        ->setObjectName(QStringLiteral("placeCamera"));
+    QAction* fly = menu->addAction(tr("Write the flight …"), this, &SpaceView::ask_flight);
+    fly->setObjectName(QStringLiteral("writeFlight"));
+    QAction* forget = menu->addAction(tr("Forget the cameras"), canvas_, &SpaceCanvas::forget_cameras);
+    forget->setObjectName(QStringLiteral("forgetCameras"));
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("spaceFlight"));
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolTip(tr("A flight along placed cameras, as numbered pictures"));
+    const auto say = [this, button, fly, forget] {
+        const auto n = static_cast<int>(canvas_->cameras());
+        button->setText(n == 0 ? tr("Flight") : tr("Flight (%1)").arg(n));
+        fly->setEnabled(n > 0);
+        forget->setEnabled(n > 0);
+    };
+    connect(canvas_, &SpaceCanvas::camerasChanged, this, say);
+    say();
+    return button;
+}
+
+void SpaceView::ask_flight() {
+    const QStringList chosen = ask_choices(this, tr("Write the flight"),
+                                           {{tr("Frames from camera to camera"),
+                                             {QStringLiteral("25"), QStringLiteral("50"), QStringLiteral("100")},
+                                             QStringLiteral("50"),
+                                             true}});
+    if (chosen.isEmpty()) return;
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the frames"));
+    if (!folder.isEmpty()) canvas_->fly(folder.toStdString(), std::clamp(chosen[0].toInt(), 1, 2000));
 }
 
 void SpaceView::showEvent(QShowEvent* event) {

@@ -6,11 +6,13 @@
 #include "gui/viewmodels/space_model.hpp"
 
 class QLabel;
+class QToolButton;
 class QVBoxLayout;
 
 namespace planum::gui {
 
 struct Models;
+class BoxPanel;
 class SpaceCanvas;
 
 /// 3D with its choices. Where there is no OpenGL it says so in place of the picture.
@@ -30,10 +32,13 @@ class SpaceView : public QWidget {
   private:
     void make_canvas();
     QWidget* make_bar();
+    QToolButton* make_flight_button();
+    void ask_flight();
 
     Models& models_;
     SpaceModel space_;
     SpaceCanvas* canvas_ = nullptr;
+    BoxPanel* box_ = nullptr;
     QVBoxLayout* column_;
     QLabel* said_;
     bool tried_ = false;

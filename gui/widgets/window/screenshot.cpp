@@ -3,9 +3,11 @@
 
 #include <QApplication>
 #include <QBuffer>
+#include <QElapsedTimer>
 #include <QListView>
 #include <QPixmap>
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -23,8 +25,19 @@ namespace {
 
 constexpr int kPatience = 120'000; // [ms]
 
+// What a view still makes in the window's own thread, a step at a time.
+bool is_busy(const MainWindow& window) {
+    const auto widgets = window.findChildren<QWidget*>();
+    return std::any_of(widgets.begin(), widgets.end(),
+                       [](const QWidget* one) { return one->isVisible() && one->property("busy").toBool(); });
+}
+
 void settle(MainWindow& window) {
+    QElapsedTimer timer;
+    timer.start();
     for (int round = 0; round < 4; ++round) {
+        while (is_busy(window) && timer.elapsed() < kPatience)
+            QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
         QApplication::processEvents();
         if (!window.models().workspace.jobs().wait_until_idle(kPatience)) {
             throw Error(ErrorCode::Io, "the window was still busy after two minutes");

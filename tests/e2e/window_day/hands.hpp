@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QUrl>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -111,6 +112,16 @@ class Hands {
     /// What is seen now, as FILE.png.
     void picture(const char* name, QWidget* of = nullptr) {
         settle_all();
+        // What a view still makes in steps.
+        const bool ready = QTest::qWaitFor(
+            [this] {
+                const auto widgets = window.findChildren<QWidget*>();
+                return std::none_of(widgets.begin(), widgets.end(), [](const QWidget* one) {
+                    return one->isVisible() && one->property("busy").toBool();
+                });
+            },
+            60'000);
+        CHECK(ready);
         QTest::qWait(50);
         const std::filesystem::path file = folder_ / (std::string(name) + ".png");
         CHECK((of == nullptr ? &window : of)->grab().save(QString::fromStdString(file.string())));

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Where Qt runs without a screen although a display is at hand, 3D says why it cannot be shown, and nothing crashes:
+# without_opengl.sh PLANUM PLANUM-DESKTOP
+set -euo pipefail
+planum=$1
+desktop=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"$planum" new "$folder/site.gpkg" --quiet
+QT_QPA_PLATFORM=offscreen xvfb-run -a -s "-screen 0 1280x1024x24" \
+  "$desktop" --screenshot 3d -o "$folder/3d.png" "$folder/site.gpkg"
+test -s "$folder/3d.png"
