@@ -39,6 +39,7 @@ DailyCheck check_record(const model::Record& record, std::span<const model::Surf
     strat::CheckResult result = run_checks(record, surfaces, progress);
     DailyCheck check;
     check.coverage = std::move(result.coverage);
+    check.verdicts = std::move(result.verdicts);
     if (const model::Decision* signed_off = last_sign_off(record)) {
         check.signed_off_at = signed_off->made_at;
         check.signed_off_by = signed_off->author;

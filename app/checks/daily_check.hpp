@@ -24,7 +24,8 @@ struct DailyCheck {
     std::set<std::string> new_ids;           ///< of them, those that were not there then
     std::vector<model::Diagnostic> accepted; ///< silent by a decision that still holds
     model::Coverage coverage;
-    std::string signed_off_at; ///< empty: never
+    std::vector<model::EvidenceVerdict> verdicts; ///< what is said about each relation, by position in the record
+    std::string signed_off_at;                    ///< empty: never
     std::string signed_off_by;
 
     [[nodiscard]] std::size_t count(model::Severity severity) const noexcept;

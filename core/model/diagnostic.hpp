@@ -77,6 +77,9 @@ struct Diagnostic {
 
 [[nodiscard]] std::string_view to_word(Severity severity) noexcept;
 
+/// What levels, surfaces and sections say about one relation. `None`: it states no order.
+enum class EvidenceVerdict : std::uint8_t { None, Confirmed, Contradicted, Untestable };
+
 /// How much of the record could be judged at all.
 struct Coverage {
     std::int64_t relations = 0; ///< relations that state an order

@@ -6,6 +6,10 @@
 #include <QMetaObject>
 #include <QTimer>
 
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -19,6 +23,18 @@
 #include "core/base/error.hpp"
 
 namespace planum::gui {
+
+namespace {
+
+constexpr int kLessUrgent = 5; // nice value
+
+// On a tablet's two cores three jobs would leave the window a third of one; on Linux each thread has its own nice
+// value. Where it cannot be set, nothing is lost but that.
+void make_way_for_the_window() {
+    static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kLessUrgent));
+}
+
+} // namespace
 
 Job::Job(QString title, Kind kind) : title_(std::move(title)), kind_(kind) {}
 
@@ -99,6 +115,7 @@ JobRunner::Lane& JobRunner::lane_named(const QString& name) {
 }
 
 void JobRunner::work_off(Lane& lane, const std::stop_token& ended) {
+    make_way_for_the_window();
     for (;;) {
         Lane::Entry entry;
         {

@@ -2,12 +2,45 @@
 #include "gui/viewmodels/matrix_model.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
+
+#include "gui/viewmodels/problem_list_model.hpp"
 
 namespace planum::gui {
 
-MatrixModel::MatrixModel(Workspace& workspace, const strat::TextMeasure& text, QObject* parent)
-    : QObject(parent), workspace_(workspace), text_(text) {
+LineVerdicts line_verdicts(const strat::MatrixDrawing& drawing, const strat::DrawingIndex& index,
+                           const model::Record& record, const std::vector<model::EvidenceVerdict>& of_relations) {
+    using model::EvidenceVerdict;
+    // What of several counts: a contradiction before a confirmation before nothing known.
+    const auto weight = [](EvidenceVerdict v) {
+        return v == EvidenceVerdict::Contradicted ? 3 : v == EvidenceVerdict::Confirmed ? 2 : 1;
+    };
+    std::map<std::pair<std::size_t, std::size_t>, EvidenceVerdict> by_boxes;
+    const std::size_t judged = std::min(of_relations.size(), record.relations.size());
+    for (std::size_t r = 0; r < judged; ++r) {
+        if (of_relations[r] == EvidenceVerdict::None) continue;
+        const auto later = index.box_of(record.relations[r].subject);
+        const auto earlier = index.box_of(record.relations[r].object);
+        if (!later || !earlier || *later == *earlier) continue;
+        EvidenceVerdict& there = by_boxes.try_emplace({*later, *earlier}, EvidenceVerdict::None).first->second;
+        if (there == EvidenceVerdict::None || weight(of_relations[r]) > weight(there)) there = of_relations[r];
+    }
+    LineVerdicts verdicts;
+    verdicts.reserve(drawing.lines.size());
+    for (const strat::DrawnLine& line : drawing.lines) {
+        const auto found = by_boxes.find({line.later, line.earlier});
+        verdicts.push_back(found == by_boxes.end() ? EvidenceVerdict::Untestable : found->second);
+    }
+    return verdicts;
+}
+
+MatrixModel::MatrixModel(Workspace& workspace, ProblemListModel& problems, const strat::TextMeasure& text,
+                         QObject* parent)
+    : QObject(parent), workspace_(workspace), problems_(problems), text_(text) {
+    connect(&problems_, &ProblemListModel::checked, this, [this] {
+        if (shows_evidence_) prepare_again();
+    });
     connect(&workspace_, &Workspace::snapshotChanged, this, &MatrixModel::draw_again);
     connect(&workspace_, &Workspace::selectionChanged, this, &MatrixModel::pointedOut);
     connect(&workspace_, &Workspace::proofChanged, this, [this] {
@@ -17,6 +50,9 @@ MatrixModel::MatrixModel(Workspace& workspace, const strat::TextMeasure& text, Q
     connect(&workspace_, &Workspace::closed, this, [this] {
         drawing_.reset();
         index_.reset();
+        prepared_.reset();
+        verdicts_.clear();
+        drawing_now_ = false;
         request_ = {};
         stale_ = true;
         emit drawn();
@@ -37,26 +73,73 @@ void MatrixModel::draw_again() {
     stale_ = true;
     if (!watched_ || !workspace_.is_open()) return;
     stale_ = false;
+    drawing_now_ = true;
     workspace_.read(
         QStringLiteral("matrix"), tr("Drawing the matrix"),
-        [this, request = request_](app::Project& project, Progress& progress) -> JobRunner::Done {
+        [this, request = request_, prepare = prepare_, judged = judged()](app::Project& project,
+                                                                          Progress& progress) -> JobRunner::Done {
             auto drawing =
                 std::make_shared<const strat::MatrixDrawing>(app::draw_matrix(project, request, text_, progress));
             auto index = std::make_shared<const strat::DrawingIndex>(*drawing);
-            return [this, drawing = std::move(drawing), index = std::move(index)] {
+            LineVerdicts verdicts;
+            if (judged) verdicts = line_verdicts(*drawing, *index, judged->snapshot->record(), judged->of_relations);
+            auto prepared = prepare ? prepare(drawing, verdicts) : nullptr;
+            return [this, drawing = std::move(drawing), index = std::move(index), prepared = std::move(prepared),
+                    verdicts = std::move(verdicts), judged] {
+                drawing_now_ = false;
                 drawing_ = drawing;
                 index_ = index;
+                prepared_ = prepared;
+                verdicts_ = verdicts;
                 trouble_.clear();
                 find_proof();
                 emit drawn();
+                // Evidence was switched meanwhile, or the check of this record came while it was drawn.
+                const auto now = this->judged();
+                if ((now == nullptr) != (judged == nullptr) || (now && now->snapshot != judged->snapshot)) {
+                    prepare_again();
+                }
             };
         },
         [this](const QString& sentence) {
+            drawing_now_ = false;
             drawing_.reset();
             index_.reset();
+            prepared_.reset();
+            verdicts_.clear();
             trouble_ = sentence;
             emit drawn();
         });
+}
+
+std::shared_ptr<const MatrixModel::Judged> MatrixModel::judged() const {
+    if (!shows_evidence_ || !problems_.is_checked()) return nullptr;
+    return std::make_shared<const Judged>(Judged{problems_.checked_snapshot(), problems_.check().verdicts});
+}
+
+void MatrixModel::set_shows_evidence(bool shows) {
+    if (shows == shows_evidence_) return;
+    shows_evidence_ = shows;
+    prepare_again();
+}
+
+void MatrixModel::prepare_again() {
+    if (drawing_ == nullptr || drawing_now_) return; // a drawing that is being made is made ready then
+    workspace_.jobs().start(
+        QStringLiteral("matrix ink"), JobRunner::Queueing::Newest, tr("Drawing the matrix"), Job::Kind::Quiet,
+        [this, drawing = drawing_, index = index_, prepare = prepare_,
+         judged = judged()](Progress&) -> JobRunner::Done {
+            LineVerdicts verdicts;
+            if (judged) verdicts = line_verdicts(*drawing, *index, judged->snapshot->record(), judged->of_relations);
+            auto prepared = prepare ? prepare(drawing, verdicts) : nullptr;
+            return [this, drawing, prepared = std::move(prepared), verdicts = std::move(verdicts)] {
+                if (drawing != drawing_) return; // another one came meanwhile
+                prepared_ = prepared;
+                verdicts_ = verdicts;
+                emit drawn();
+            };
+        },
+        [this](const QString& sentence) { workspace_.say(sentence); });
 }
 
 std::optional<std::size_t> MatrixModel::selected_box() const {

@@ -4,10 +4,13 @@
 #include <QObject>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <set>
+#include <vector>
 
 #include "app/drawing/draw_matrix.hpp"
+#include "core/model/diagnostic.hpp"
 #include "gui/viewmodels/workspace.hpp"
 #include "strat/layout/drawing.hpp"
 #include "strat/layout/drawing_index.hpp"
@@ -15,14 +18,45 @@
 
 namespace planum::gui {
 
+class ProblemListModel;
+
+/// What the evidence says about each line of a drawing, by position; empty: not asked for. A line that stands for
+/// several relations is contradicted where one of them is, confirmed where one is and none contradicted.
+using LineVerdicts = std::vector<model::EvidenceVerdict>;
+
+[[nodiscard]] LineVerdicts line_verdicts(const strat::MatrixDrawing& drawing, const strat::DrawingIndex& index,
+                                         const model::Record& record,
+                                         const std::vector<model::EvidenceVerdict>& of_relations);
+
 /// The drawing of the matrix, made anew in a thread whenever the record or the choice of what is drawn changes, with
 /// what of it is to be pointed out: the unit selected and the proof of the open problem.
 class MatrixModel : public QObject {
     Q_OBJECT
 
   public:
+    /// What a view needs to show a drawing, made in the thread that made the drawing: a large one takes a while.
+    using Prepare =
+        std::function<std::shared_ptr<const void>(std::shared_ptr<const strat::MatrixDrawing>, const LineVerdicts&)>;
+
     /// `text` must outlive the model and answer in any thread.
-    MatrixModel(Workspace& workspace, const strat::TextMeasure& text, QObject* parent = nullptr);
+    MatrixModel(Workspace& workspace, ProblemListModel& problems, const strat::TextMeasure& text,
+                QObject* parent = nullptr);
+
+    void set_prepare(Prepare prepare) { prepare_ = std::move(prepare); }
+
+    /// What `prepare` made of drawing(); null without one.
+    [[nodiscard]] const std::shared_ptr<const void>& prepared() const noexcept { return prepared_; }
+
+    /// The same drawing made ready once more, in a thread; drawn() says when: other colours, other verdicts.
+    void prepare_again();
+
+    /// Lines show whether surfaces, sections and levels confirm or contradict them.
+    void set_shows_evidence(bool shows);
+
+    [[nodiscard]] bool shows_evidence() const noexcept { return shows_evidence_; }
+
+    /// Of drawing(); empty while evidence is not shown.
+    [[nodiscard]] const LineVerdicts& verdicts() const noexcept { return verdicts_; }
 
     /// Drawing costs time: nothing is drawn while nobody looks.
     void set_watched(bool watched);
@@ -56,10 +90,23 @@ class MatrixModel : public QObject {
     void pointedOut();
 
   private:
+    /// What a thread needs to judge lines; null: not asked for, or nothing is known yet.
+    struct Judged {
+        Workspace::SnapshotPtr snapshot;
+        std::vector<model::EvidenceVerdict> of_relations;
+    };
+
+    [[nodiscard]] std::shared_ptr<const Judged> judged() const;
     void draw_again();
     void find_proof();
 
     Workspace& workspace_;
+    ProblemListModel& problems_;
+    Prepare prepare_;
+    bool shows_evidence_ = false;
+    bool drawing_now_ = false;
+    std::shared_ptr<const void> prepared_;
+    LineVerdicts verdicts_;
     const strat::TextMeasure& text_;
     app::DrawRequest request_;
     bool watched_ = false;

@@ -62,6 +62,9 @@ class ProblemListModel : public QAbstractListModel {
 
     [[nodiscard]] bool is_checked() const noexcept { return checked_; }
 
+    /// What check() was made of; null before the first.
+    [[nodiscard]] const Workspace::SnapshotPtr& checked_snapshot() const noexcept { return snapshot_; }
+
     /// Whether the surfaces are still being asked; what they say comes with another checked().
     [[nodiscard]] bool is_comparing_surfaces() const noexcept { return comparing_; }
 

@@ -72,7 +72,7 @@ CheckResult check(const model::Record& record, const HarrisMatrix& merged, const
         family.run(context, result.diagnostics);
     }
     finish(context, result.diagnostics);
-    result.coverage = measure_coverage(context);
+    result.coverage = measure_coverage(context, result.verdicts);
     return result;
 }
 

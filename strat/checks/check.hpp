@@ -25,6 +25,7 @@ struct CheckOptions {
 struct CheckResult {
     std::vector<model::Diagnostic> diagnostics; ///< errors first, then by code and units
     model::Coverage coverage;
+    std::vector<model::EvidenceVerdict> verdicts; ///< by position in record.relations
 };
 
 /// Everything the record itself contradicts, without scans of its own; `surfaces` may add what scans

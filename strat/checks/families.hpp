@@ -29,8 +29,10 @@ void check_sources(const CheckContext& context, Findings& findings);
 void check_scans(const CheckContext& context, Findings& findings);
 void check_redundancy(const CheckContext& context, Findings& findings);
 
-/// How many of the relations that state an order could be judged by heights or surfaces.
-[[nodiscard]] model::Coverage measure_coverage(const CheckContext& context);
+/// How many of the relations that state an order could be judged by heights or surfaces; `verdicts` gets what is said
+/// about each, by position in the record.
+[[nodiscard]] model::Coverage measure_coverage(const CheckContext& context,
+                                               std::vector<model::EvidenceVerdict>& verdicts);
 
 /// What the levels of its two units say about a relation.
 enum class LevelVerdict { Confirmed, Contradicted, Untestable };

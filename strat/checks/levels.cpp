@@ -219,8 +219,15 @@ void check_levels(const CheckContext& context, Findings& findings) {
     add_finds_outside(context, findings);
 }
 
-model::Coverage measure_coverage(const CheckContext& c) {
+model::Coverage measure_coverage(const CheckContext& c, std::vector<model::EvidenceVerdict>& verdicts) {
+    using model::EvidenceVerdict;
     model::Coverage coverage;
+    verdicts.assign(c.subject.size(), EvidenceVerdict::None);
+    const auto say = [&](RelationIndex r, EvidenceVerdict verdict) {
+        verdicts[r] = verdict;
+        if (verdict == EvidenceVerdict::Confirmed) ++coverage.confirmed;
+        if (verdict == EvidenceVerdict::Contradicted) ++coverage.contradicted;
+    };
     std::unordered_map<std::uint64_t, const model::SurfaceEvidence*> seen;
     for (const model::SurfaceEvidence& e : c.surfaces) {
         seen[pair_key(c.index.find(e.upper), c.index.find(e.lower))] = &e;
@@ -241,14 +248,17 @@ model::Coverage measure_coverage(const CheckContext& c) {
             contrary += backward->second->area;
         }
         if (std::max(agrees, contrary) >= kVisibleArea) {
-            ++(agrees >= contrary ? coverage.confirmed : coverage.contradicted);
+            say(r, agrees >= contrary ? EvidenceVerdict::Confirmed : EvidenceVerdict::Contradicted);
             continue;
         }
         const LevelJudgement j = judge_by_levels(c, r);
         switch (j.verdict) {
-        case LevelVerdict::Confirmed: ++coverage.confirmed; break;
-        case LevelVerdict::Contradicted: ++coverage.contradicted; break;
-        case LevelVerdict::Untestable: ++coverage.untestable[std::string{j.why}]; break;
+        case LevelVerdict::Confirmed: say(r, EvidenceVerdict::Confirmed); break;
+        case LevelVerdict::Contradicted: say(r, EvidenceVerdict::Contradicted); break;
+        case LevelVerdict::Untestable:
+            say(r, EvidenceVerdict::Untestable);
+            ++coverage.untestable[std::string{j.why}];
+            break;
         }
     }
     return coverage;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/theme.hpp"
@@ -22,9 +23,7 @@ namespace {
 
 constexpr double kLeast = 0.005;
 constexpr double kMost = 8.0;
-constexpr double kOverviewPixels = 4096.0;
-constexpr double kManyLines = 6000.0; // below that a frame needs no overview
-constexpr double kFitMargin = 12.0;   // [px]
+constexpr double kFitMargin = 12.0; // [px]
 
 QRectF rect(const strat::DrawRect& r) { return {r.x, r.y, r.width, r.height}; }
 
@@ -38,6 +37,9 @@ MatrixCanvas::MatrixCanvas(MatrixModel& model) : model_(model) {
     setMinimumSize(200, 150);
     setAttribute(Qt::WA_OpaquePaintEvent);
     grabGesture(Qt::PinchGesture);
+    model_.set_prepare([](std::shared_ptr<const strat::MatrixDrawing> drawing, const LineVerdicts& verdicts) {
+        return std::static_pointer_cast<const void>(std::make_shared<const MatrixInk>(std::move(drawing), verdicts));
+    });
     connect(&model_, &MatrixModel::drawn, this, &MatrixCanvas::take_drawing);
     connect(&model_, &MatrixModel::pointedOut, this, qOverload<>(&QWidget::update));
     take_drawing();
@@ -46,23 +48,11 @@ MatrixCanvas::MatrixCanvas(MatrixModel& model) : model_(model) {
 void MatrixCanvas::take_drawing() {
     const bool first = drawing_ == nullptr;
     drawing_ = model_.drawing();
-    ink_ = drawing_ ? std::make_unique<MatrixInk>(*drawing_) : nullptr;
-    overview_ = {};
+    ink_ = std::static_pointer_cast<const MatrixInk>(model_.prepared());
     hovered_ = MatrixInk::kNone;
     setAccessibleDescription(drawing_ ? qt(drawing_->description) : QString());
     if (drawing_ && (first || fitted_)) fit();
     update();
-}
-
-// A picture of the whole, so that moving over ten thousand boxes costs no more than over ten.
-void MatrixCanvas::make_overview() {
-    if (!drawing_ || static_cast<double>(drawing_->lines.size()) < kManyLines) return;
-    overview_scale_ = kOverviewPixels / std::max(drawing_->width, drawing_->height);
-    overview_ = QImage(static_cast<int>(std::ceil(drawing_->width * overview_scale_)),
-                       static_cast<int>(std::ceil(drawing_->height * overview_scale_)), QImage::Format_RGB32);
-    QPainter painter(&overview_);
-    painter.scale(overview_scale_, overview_scale_);
-    ink_->paint(painter, QRectF(0.0, 0.0, drawing_->width, drawing_->height), overview_scale_);
 }
 
 QRectF MatrixCanvas::seen() const {
@@ -139,7 +129,7 @@ std::optional<std::size_t> MatrixCanvas::box_at(QPointF on_screen) const {
 void MatrixCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), theme().window);
-    if (!drawing_ || drawing_->boxes.empty()) {
+    if (!drawing_ || !ink_ || drawing_->boxes.empty()) {
         painter.setPen(theme().faint);
         const QString none = drawing_ ? tr("No units to draw. Import lists of units and relations, or add a unit in "
                                            "the record card.")
@@ -153,10 +143,10 @@ void MatrixCanvas::paintEvent(QPaintEvent*) {
     painter.translate(origin_);
     painter.scale(scale_, scale_);
     painter.setClipRect(page);
-    if (overview_.isNull()) make_overview();
-    if (!overview_.isNull() && scale_ <= overview_scale_ * 1.05) {
-        painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_ > overview_scale_ * 0.15);
-        painter.drawImage(page, overview_);
+    const QImage& overview = ink_->overview();
+    if (!overview.isNull() && scale_ <= ink_->overview_scale() * 1.05) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_ > ink_->overview_scale() * 0.15);
+        painter.drawImage(page, overview);
     } else {
         ink_->paint(painter, part, scale_);
     }
@@ -318,7 +308,7 @@ bool MatrixCanvas::event(QEvent* event) {
             return true;
         }
     }
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) overview_ = {};
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) model_.prepare_again();
     return QWidget::event(event);
 }
 

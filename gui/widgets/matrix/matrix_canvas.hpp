@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QImage>
 #include <QPointF>
 #include <QWidget>
 
@@ -53,7 +52,6 @@ class MatrixCanvas : public QWidget {
     void take_drawing();
     void keep_in_sight();
     void walk(int key);
-    void make_overview();
     void show_rect(const QRectF& in_drawing, double most_scale);
     [[nodiscard]] QRectF seen() const;
 
@@ -63,12 +61,10 @@ class MatrixCanvas : public QWidget {
 
     MatrixModel& model_;
     std::shared_ptr<const strat::MatrixDrawing> drawing_;
-    std::unique_ptr<MatrixInk> ink_;
+    std::shared_ptr<const MatrixInk> ink_;
     double scale_ = 1.0; ///< [px per pt]
     QPointF origin_;     ///< of the drawing on the screen [px]
     bool fitted_ = true; ///< follows the window's size until somebody zooms
-    QImage overview_;    ///< the whole drawing, for scales at which it is smaller than this
-    double overview_scale_ = 0.0;
     std::size_t hovered_ = MatrixInk::kNone;
     std::optional<QPointF> pressed_;
     QPointF origin_when_pressed_;

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "gui/widgets/theme.hpp"
@@ -24,6 +26,9 @@ namespace {
 constexpr double kReadable = 4.2; // text lower than so many pixels is left out
 constexpr double kShaped = 6.0;   // boxes lower than that are plain rectangles
 constexpr double kSmooth = 0.35;  // pixels a point below which antialiasing costs more than it shows
+constexpr double kFaint = 0.75;   // [pt] thinner lines than this say least
+constexpr double kOverviewPixels = 4096.0;
+constexpr double kManyLines = 2000.0; // below that a frame needs no overview
 
 QPointF point(const DrawPoint& p) { return {p.x, p.y}; }
 
@@ -70,11 +75,27 @@ QPen pen_of(const StrokeStyle& stroke, double scale, double stronger) {
 
 } // namespace
 
-MatrixInk::MatrixInk(const MatrixDrawing& drawing) : drawing_(&drawing) {
+StrokeStyle MatrixInk::style_of_verdict(model::EvidenceVerdict verdict) noexcept {
+    switch (verdict) {
+    case model::EvidenceVerdict::Confirmed: return {0x1b7f4b, 1.6, Dash::Solid};
+    case model::EvidenceVerdict::Contradicted: return {kAlarm, 2.4, Dash::Dashed};
+    case model::EvidenceVerdict::Untestable:
+    case model::EvidenceVerdict::None: break;
+    }
+    return {0x8d8a83, 0.7, Dash::Dotted};
+}
+
+StrokeStyle MatrixInk::look(std::size_t line) const {
+    return verdicts_.empty() ? style_of(drawing_->lines[line]) : style_of_verdict(verdicts_[line]);
+}
+
+MatrixInk::MatrixInk(std::shared_ptr<const MatrixDrawing> made, LineVerdicts verdicts)
+    : drawing_(std::move(made)), verdicts_(std::move(verdicts)) {
+    const MatrixDrawing& drawing = *drawing_;
     std::map<std::pair<Colour, double>, std::array<std::vector<AxisStroke>, 2>> inks;
     for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
         const DrawnLine& line = drawing.lines[i];
-        const StrokeStyle style = style_of(line);
+        const StrokeStyle style = look(i);
         if (line.upwards) arrows_.push_back(i);
         if (style.dash != Dash::Solid || !is_square(line)) {
             other_lines_.push_back(i);
@@ -106,6 +127,17 @@ MatrixInk::MatrixInk(const MatrixDrawing& drawing) : drawing_(&drawing) {
         return std::make_tuple(a.colour == kAlarm, a.colour, a.width) <
                std::make_tuple(b.colour == kAlarm, b.colour, b.width);
     });
+    if (static_cast<double>(drawing.lines.size()) >= kManyLines) make_overview();
+}
+
+// So that moving over ten thousand boxes costs no more than over ten.
+void MatrixInk::make_overview() {
+    overview_scale_ = kOverviewPixels / std::max(drawing_->width, drawing_->height);
+    overview_ = QImage(static_cast<int>(std::ceil(drawing_->width * overview_scale_)),
+                       static_cast<int>(std::ceil(drawing_->height * overview_scale_)), QImage::Format_RGB32);
+    QPainter painter(&overview_);
+    painter.scale(overview_scale_, overview_scale_);
+    paint(painter, QRectF(0.0, 0.0, drawing_->width, drawing_->height), overview_scale_);
 }
 
 void MatrixInk::paint_ground(QPainter& painter, const QRectF& seen) const {
@@ -121,13 +153,22 @@ void MatrixInk::paint_ground(QPainter& painter, const QRectF& seen) const {
     for (const DrawnFrame& frame : drawing_->frames) painter.drawRoundedRect(rect(frame.rect), 4.0, 4.0);
 }
 
-void MatrixInk::paint_line(QPainter& painter, const DrawnLine& line, double scale, double stronger) const {
+void MatrixInk::paint_line(QPainter& painter, const DrawnLine& line, const StrokeStyle& style, double scale) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(pen_of(style_of(line), scale, stronger));
+    painter.setPen(pen_of(style, scale, 1.0));
     painter.drawPolyline(polygon(line.points));
 }
 
 void MatrixInk::paint_lines(QPainter& painter, const QRectF& seen, double scale) const {
+    const auto paint_others = [&](bool faint) {
+        for (std::size_t i = 0; i < other_lines_.size(); ++i) {
+            const StrokeStyle style = look(other_lines_[i]);
+            if ((style.width < kFaint) != faint) continue;
+            if (!meets(seen, other_bounds_[i].topLeft(), other_bounds_[i].bottomRight())) continue;
+            paint_line(painter, drawing_->lines[other_lines_[i]], style, scale);
+        }
+    };
+    if (!verdicts_.empty()) paint_others(true); // what nobody could judge lies below what somebody did
     QList<QLineF> lines;
     for (std::size_t i = 0; i < strokes_.size(); ++i) {
         const Stroke& stroke = strokes_[i];
@@ -141,14 +182,11 @@ void MatrixInk::paint_lines(QPainter& painter, const QRectF& seen, double scale)
         painter.drawLines(lines);
         lines.clear();
     }
-    for (std::size_t i = 0; i < other_lines_.size(); ++i) {
-        if (meets(seen, other_bounds_[i].topLeft(), other_bounds_[i].bottomRight())) {
-            paint_line(painter, drawing_->lines[other_lines_[i]], scale, 1.0);
-        }
-    }
+    if (verdicts_.empty()) paint_others(true);
+    paint_others(false);
     painter.setPen(Qt::NoPen);
     for (const std::size_t i : arrows_) {
-        painter.setBrush(theme().drawn(style_of(drawing_->lines[i]).colour));
+        painter.setBrush(theme().drawn(look(i).colour));
         painter.drawPolygon(polygon(arrow_head(drawing_->lines[i])));
     }
     if (scale * kJunctionRadius < 0.7) return;
@@ -236,7 +274,7 @@ void MatrixInk::paint(QPainter& painter, const QRectF& seen, double scale) const
         if (sample.kind == LegendSample::Kind::Box) {
             if (seen.intersects(rect(sample.box.rect))) paint_box(painter, sample.box, scale);
         } else {
-            paint_line(painter, sample.line, scale, 1.0);
+            paint_line(painter, sample.line, style_of(sample.line), scale);
         }
     }
     paint_words(painter, seen, scale);

@@ -1,25 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QImage>
 #include <QLineF>
 #include <QRectF>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <vector>
 
+#include "gui/viewmodels/matrix_model.hpp"
 #include "strat/layout/drawing.hpp"
+#include "strat/layout/drawing_colours.hpp"
 
 class QPainter;
 
 namespace planum::gui {
 
 /// A drawing made ready for painting on a screen: strokes that several orders share joined once, bounds of
-/// everything, so that a frame costs what is seen of it. Holds a reference to the drawing.
+/// everything, so that a frame costs what is seen of it. Making one takes a while for a large drawing and may happen in
+/// any thread; painting then reads it only.
 class MatrixInk {
   public:
-    explicit MatrixInk(const strat::MatrixDrawing& drawing);
+    /// `verdicts`: what the evidence says about each line; empty: lines look as on paper.
+    explicit MatrixInk(std::shared_ptr<const strat::MatrixDrawing> drawing, LineVerdicts verdicts = {});
+
+    /// How a line looks that the evidence judged so: it tells apart by width and dashes what it does by colour.
+    [[nodiscard]] static strat::StrokeStyle style_of_verdict(model::EvidenceVerdict verdict) noexcept;
+
+    /// A picture of the whole, for scales at which the drawing is smaller than it; null where the drawing is small
+    /// enough to be painted each time.
+    [[nodiscard]] const QImage& overview() const noexcept { return overview_; }
+
+    /// Pixels a point of overview().
+    [[nodiscard]] double overview_scale() const noexcept { return overview_scale_; }
 
     /// What is pointed out: positions in the drawing's boxes and lines.
     struct Pointed {
@@ -44,13 +60,19 @@ class MatrixInk {
         QLineF line;
     };
 
+    [[nodiscard]] strat::StrokeStyle look(std::size_t line) const;
+    void make_overview();
     void paint_ground(QPainter& painter, const QRectF& seen) const;
     void paint_lines(QPainter& painter, const QRectF& seen, double scale) const;
     void paint_box(QPainter& painter, const strat::DrawnBox& box, double scale) const;
     void paint_words(QPainter& painter, const QRectF& seen, double scale) const;
-    void paint_line(QPainter& painter, const strat::DrawnLine& line, double scale, double stronger) const;
+    static void paint_line(QPainter& painter, const strat::DrawnLine& line, const strat::StrokeStyle& style,
+                           double scale);
 
-    const strat::MatrixDrawing* drawing_;
+    std::shared_ptr<const strat::MatrixDrawing> drawing_;
+    LineVerdicts verdicts_;
+    QImage overview_;
+    double overview_scale_ = 0.0;
     std::vector<Stroke> strokes_;          ///< solid, upright or level, sorted by look
     std::vector<std::size_t> other_lines_; ///< dashed, dotted, slanting
     std::vector<QRectF> other_bounds_;

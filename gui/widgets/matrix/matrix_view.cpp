@@ -9,16 +9,21 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "app/records/relation_entry.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/matrix/matrix_canvas.hpp"
+#include "gui/widgets/matrix/matrix_ink.hpp"
+#include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
 
 MatrixView::MatrixView(Models& models)
-    : models_(models), matrix_(models.workspace, text_), canvas_(new MatrixCanvas(matrix_)), part_(new QComboBox),
-      fold_(new QComboBox), titles_(new QToolButton), count_(new QLabel) {
+    : models_(models), matrix_(models.workspace, models.problems, text_), canvas_(new MatrixCanvas(matrix_)),
+      part_(new QComboBox), fold_(new QComboBox), titles_(new QToolButton), evidence_(new QToolButton),
+      count_(new QLabel) {
     setObjectName(QStringLiteral("matrix"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -32,12 +37,26 @@ MatrixView::MatrixView(Models& models)
         canvas_->show_selected();
     });
     connect(&models_.workspace, &Workspace::proofChanged, canvas_, &MatrixCanvas::show_proof);
-    connect(&matrix_, &MatrixModel::drawn, this, [this] {
-        count_->setText(
-            matrix_.drawing()
-                ? tr("%1 boxes, %2 lines").arg(matrix_.drawing()->boxes.size()).arg(matrix_.drawing()->lines.size())
-                : QString());
-    });
+    connect(&matrix_, &MatrixModel::drawn, this, [this] { count_->setText(words_of_drawing()); });
+}
+
+// Says what the lines mean as long as they show the evidence, else how many there are.
+QString MatrixView::words_of_drawing() const {
+    if (!matrix_.drawing()) return {};
+    if (matrix_.verdicts().empty()) {
+        return tr("%1 boxes, %2 lines").arg(matrix_.drawing()->boxes.size()).arg(matrix_.drawing()->lines.size());
+    }
+    using model::EvidenceVerdict;
+    const auto part = [this](EvidenceVerdict verdict, const QString& sample, const QString& words) {
+        const auto n = std::count(matrix_.verdicts().begin(), matrix_.verdicts().end(), verdict);
+        const QColor colour = theme().drawn(MatrixInk::style_of_verdict(verdict).colour);
+        return QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3&nbsp;%4")
+            .arg(colour.name(), sample, QString::number(n), words);
+    };
+    return QStringList{part(EvidenceVerdict::Confirmed, QStringLiteral("━━"), tr("confirmed")),
+                       part(EvidenceVerdict::Contradicted, QStringLiteral("╍╍"), tr("contradicted")),
+                       part(EvidenceVerdict::Untestable, QStringLiteral("┈┈"), tr("not testable"))}
+        .join(QStringLiteral(" &nbsp; "));
 }
 
 QWidget* MatrixView::make_bar() {
@@ -56,6 +75,11 @@ QWidget* MatrixView::make_bar() {
     titles_->setText(tr("Titles"));
     titles_->setCheckable(true);
     titles_->setToolTip(tr("Short definitions below the numbers"));
+    evidence_->setObjectName(QStringLiteral("matrixEvidence"));
+    evidence_->setText(tr("Evidence"));
+    evidence_->setCheckable(true);
+    evidence_->setToolTip(tr("Which lines surfaces, sections and levels confirm or contradict"));
+    connect(evidence_, &QToolButton::toggled, &matrix_, &MatrixModel::set_shows_evidence);
     connect(part_, &QComboBox::activated, this, &MatrixView::ask_again);
     connect(fold_, &QComboBox::activated, this, &MatrixView::ask_again);
     connect(titles_, &QToolButton::toggled, this, &MatrixView::ask_again);
@@ -75,6 +99,7 @@ QWidget* MatrixView::make_bar() {
     row->addWidget(part_);
     row->addWidget(fold_);
     row->addWidget(titles_);
+    row->addWidget(evidence_);
     row->addStretch(1);
     row->addWidget(count_);
     row->addWidget(button(QStringLiteral("−"), tr("Smaller"), [=, this] { canvas_->zoom(0.8, middle()); }));

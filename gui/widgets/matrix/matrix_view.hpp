@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <memory>
+
 #include "core/model/ids.hpp"
 #include "gui/viewmodels/matrix_model.hpp"
 #include "paint/font_measure.hpp"
@@ -25,6 +27,9 @@ class MatrixView : public QWidget {
 
     [[nodiscard]] MatrixModel& model() noexcept { return matrix_; }
 
+    /// What it shows; null until something is drawn.
+    [[nodiscard]] std::shared_ptr<const strat::MatrixDrawing> drawing() const { return matrix_.drawing(); }
+
     [[nodiscard]] MatrixCanvas& canvas() noexcept { return *canvas_; }
 
   protected:
@@ -35,6 +40,7 @@ class MatrixView : public QWidget {
     void ask_again();
     void offer_relation(model::UnitId from, model::UnitId to, const QPoint& at);
     QWidget* make_bar();
+    [[nodiscard]] QString words_of_drawing() const;
 
     Models& models_;
     paint::FontTextMeasure text_;
@@ -43,6 +49,7 @@ class MatrixView : public QWidget {
     QComboBox* part_;
     QComboBox* fold_;
     QToolButton* titles_;
+    QToolButton* evidence_;
     QLabel* count_;
 };
 

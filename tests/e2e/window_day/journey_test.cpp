@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <QAction>
 #include <QDialog>
+#include <QImage>
 #include <QLabel>
 #include <QListView>
 #include <QListWidget>
 #include <QRegularExpression>
+#include <QSignalSpy>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
 #include "app/demo/simulator.hpp"
 #include "gui/widgets/flat/flat_canvas.hpp"
+#include "gui/widgets/matrix/matrix_view.hpp"
+#include "gui/widgets/space/space_canvas.hpp"
 #include "tests/e2e/window_day/hands.hpp"
 #include "tests/support/temporary.hpp"
 
@@ -196,6 +201,38 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     hands.settle_all();
     CHECK(hands.window.models().problems.check().accepted.empty());
 
+    // Which lines of the matrix surfaces and levels confirm.
+    hands.window.show_view("matrix");
+    hands.click("matrixEvidence");
+    auto* matrix = dynamic_cast<MatrixView*>(hands.window.view("matrix"));
+    REQUIRE(matrix != nullptr);
+    const LineVerdicts verdicts = matrix->model().verdicts();
+    CHECK(verdicts.size() == matrix->model().drawing()->lines.size());
+    CHECK(std::count(verdicts.begin(), verdicts.end(), model::EvidenceVerdict::Confirmed) > 0);
+    hands.picture("13_evidence");
+    hands.click("matrixEvidence");
+
+    // A flight past two placed cameras; where there is no OpenGL there is no view to fly through.
+    hands.window.show_view("3d");
+    hands.settle_all();
+    if (auto* space = hands.window.findChild<SpaceCanvas*>(QStringLiteral("spaceCanvas"))) {
+        hands.click("spaceCut");
+        hands.find<QAction>("placeCamera")->trigger();
+        for (int i = 0; i < 3; ++i) QTest::keyClick(space, Qt::Key_Left);
+        hands.find<QAction>("placeCamera")->trigger();
+        CHECK(space->cameras() == 2);
+        fs::create_directories(folder / "flight");
+        QSignalSpy flown(space, &SpaceCanvas::flown);
+        space->fly(folder / "flight", 2);
+        REQUIRE(flown.wait(60'000));
+        for (const char* frame : {"fly-0001.png", "fly-0002.png", "fly-0003.png"}) {
+            const QImage picture(text(folder / "flight" / frame));
+            CHECK(picture.size() == space->size() * space->devicePixelRatioF());
+        }
+        CHECK_FALSE(fs::exists(folder / "flight" / "fly-0004.png"));
+        hands.picture("14_flown");
+    }
+
     for (const char* name : {"matrix.pdf", "report.html"}) {
         hands.answer_next({text(folder / name)});
         hands.find<QAction>("export")->trigger();
@@ -210,7 +247,7 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
         hands.settle_all();
         CHECK(fs::file_size(folder / name) > 1000);
     }
-    hands.picture("13_written");
+    hands.picture("15_written");
     CHECK(hands.failures.isEmpty());
     INFO(hands.failures.join(QLatin1Char('\n')).toStdString());
     CHECK(hands.said.size() >= 5);
