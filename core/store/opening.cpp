@@ -58,12 +58,16 @@ sqlite::Database connect_for_reading(const std::filesystem::path& file, const sq
 /// Back to a rollback journal: a project that is copied must be one file.
 void leave_write_ahead_mode(ProjectFile::State& state) {
     std::string mode;
+    // Whoever still edits the file keeps it in that mode; waiting for them would only delay the opening.
+    const std::int64_t patience = state.database.integer("PRAGMA busy_timeout");
+    state.database.execute("PRAGMA busy_timeout = 200");
     try {
         state.database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
         mode = state.database.text("PRAGMA journal_mode = DELETE");
     } catch (const Error& e) {
         if (e.code() != ErrorCode::Io) throw;
     }
+    state.database.execute(fmt::format("PRAGMA busy_timeout = {}", patience));
     state.report.notes.emplace_back(
         mode == "delete" ? "the file had been left in write-ahead mode; it was set back"
                          : "the file stays in write-ahead mode while another program uses it (is it open in QGIS?)");
@@ -93,6 +97,7 @@ void migrate_forward(ProjectFile::State& state) {
 void repair(ProjectFile::State& state, const SchemaFindings& findings, const sqlite::FileHeader& header) {
     state.wait_for_check();
     if (header.wal) leave_write_ahead_mode(state);
+    if (findings.rtree_tables.empty() && findings.missing_names.empty() && state.version >= kSchemaVersion) return;
     sqlite::Transaction transaction(state.database);
     for (const std::string& layer : findings.rtree_tables) {
         drop_rtree(state.database, layer);

@@ -19,7 +19,29 @@ namespace {
 
 const QString kRecordLane = QStringLiteral("record");
 const QString kWorkLane = QStringLiteral("work");
-constexpr int kLookAfter = 400; // [ms] after the file system spoke
+constexpr int kLookAfter = 400;  // [ms] after the file system spoke
+constexpr int kLookEvery = 2000; // [ms] QGIS writes beside the file, where a watcher is told of the first time only
+
+// When the project was written last, in the file or in the log that QGIS writes beside it while it edits.
+struct Stamp {
+    std::filesystem::file_time_type file;
+    std::filesystem::file_time_type log;
+    std::uintmax_t log_size = 0;
+
+    friend bool operator==(const Stamp&, const Stamp&) = default;
+};
+
+Stamp stamp_of(const std::filesystem::path& file) {
+    Stamp stamp;
+    std::error_code trouble;
+    stamp.file = std::filesystem::last_write_time(file, trouble);
+    const std::filesystem::path log = file.string() + "-wal";
+    const std::uintmax_t size = std::filesystem::file_size(log, trouble);
+    if (trouble || size == 0) return stamp; // none, or one that holds nothing
+    stamp.log_size = size;
+    stamp.log = std::filesystem::last_write_time(log, trouble);
+    return stamp;
+}
 
 } // namespace
 
@@ -27,12 +49,9 @@ constexpr int kLookAfter = 400; // [ms] after the file system spoke
 struct Workspace::Holder {
     std::optional<app::Project> project;
     store::OpenMode mode = store::OpenMode::ReadWrite;
-    std::filesystem::file_time_type seen;
+    Stamp seen;
 
-    void note_time() {
-        std::error_code ignored;
-        seen = std::filesystem::last_write_time(project->path(), ignored);
-    }
+    void note_time() { seen = stamp_of(project->path()); }
 };
 
 Workspace::Workspace(app::Session session, QObject* parent)
@@ -41,6 +60,14 @@ Workspace::Workspace(app::Session session, QObject* parent)
     look_soon_->setSingleShot(true);
     look_soon_->setInterval(kLookAfter);
     connect(look_soon_, &QTimer::timeout, this, &Workspace::look_at_file);
+    auto* look_again = new QTimer(this);
+    connect(look_again, &QTimer::timeout, this, [this, last = Stamp{}]() mutable {
+        if (!is_open()) return;
+        const Stamp now = stamp_of(file_);
+        if (now.log_size > 0 && now != last) look_soon_->start();
+        last = now;
+    });
+    look_again->start(kLookEvery);
     connect(watcher_, &QFileSystemWatcher::fileChanged, look_soon_, qOverload<>(&QTimer::start));
     connect(watcher_, &QFileSystemWatcher::directoryChanged, look_soon_, qOverload<>(&QTimer::start));
 }
@@ -224,9 +251,7 @@ void Workspace::look_at_file() {
 void Workspace::read_again(Reread when, std::function<void()> done) {
     auto work = [this, when, holder = holder_, path = file_, session = session_,
                  done = std::move(done)](Progress&) -> JobRunner::Done {
-        std::error_code ignored;
-        const auto now = std::filesystem::last_write_time(path, ignored);
-        if (when == Reread::WhenOlder && now == holder->seen) return {};
+        if (when == Reread::WhenOlder && stamp_of(path) == holder->seen) return {};
         holder->project.emplace(app::Project::open(path, holder->mode, session));
         holder->note_time();
         return [this, holder, done, snapshot = app::take_snapshot(*holder->project)]() mutable {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "gui/viewmodels/models.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <atomic>
+#include <csignal>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "app/records/record_kind.hpp"
+#include "core/sqlite/database.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gui_project.hpp"
 #include "tests/support/measured_days.hpp"
@@ -79,6 +85,95 @@ TEST_CASE("A window that closes during a job leaves the project as it was before
     app::Project project = site.reopened();
     CHECK(has(project, "8"));
     CHECK_FALSE(has(project, "99"));
+    CHECK(project.file().verify(Progress::none()).empty());
+}
+
+TEST_CASE("A full disk is a sentence, nothing is half written, and the window goes on when there is room again") {
+    const test::GuiProject site;
+    QStringList failures;
+    Models models{app::Session{"Ada"}};
+    Workspace& workspace = models.workspace;
+    QObject::connect(&workspace, &Workspace::failed, [&](const QString& s) { failures << s; });
+    workspace.open(site.file, store::OpenMode::ReadWrite);
+    settle(workspace);
+    {
+        // No file of this process may grow any more, as on a disk without room.
+        std::signal(SIGXFSZ, SIG_IGN);
+        rlimit before{};
+        REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+        rlimit now = before;
+        now.rlim_cur = static_cast<rlim_t>(std::filesystem::file_size(site.file)) + 8192;
+        REQUIRE(setrlimit(RLIMIT_FSIZE, &now) == 0);
+        workspace.edit(QStringLiteral("add many"), [](app::Project& project, Progress&) {
+            project.change("Add many", [&] {
+                for (int i = 100; i < 2100; ++i) {
+                    model::StratigraphicUnit unit;
+                    unit.number = std::to_string(i);
+                    unit.description = std::string(200, 'x');
+                    project.file().insert(unit);
+                }
+            });
+        });
+        settle(workspace);
+        REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+    }
+    REQUIRE(failures.size() == 1);
+    INFO(failures.front().toStdString());
+    CHECK(failures.front().contains(QStringLiteral("disk")));
+    REQUIRE(workspace.is_open());
+    CHECK(workspace.snapshot()->record().units.size() == 3);
+    workspace.edit(QStringLiteral("add"), adding("8"));
+    settle(workspace);
+    CHECK(failures.size() == 1);
+    CHECK(workspace.snapshot()->record().units.size() == 4);
+    app::Project project = site.reopened();
+    CHECK(has(project, "8"));
+    CHECK_FALSE(has(project, "100"));
+    CHECK(project.file().verify(Progress::none()).empty());
+}
+
+TEST_CASE("What QGIS saves while the window is open is shown, and what the window enters meanwhile is kept") {
+    const test::GuiProject site;
+    QStringList failures;
+    Models models{app::Session{"Ada"}};
+    Workspace& workspace = models.workspace;
+    QObject::connect(&workspace, &Workspace::failed, [&](const QString& s) { failures << s; });
+    workspace.open(site.file, store::OpenMode::ReadWrite);
+    settle(workspace);
+    const auto title_of_3 = [&] {
+        for (const auto& unit : workspace.snapshot()->record().units) {
+            if (unit.number == "3") return unit.title;
+        }
+        return std::string();
+    };
+    const auto wait_for = [&](const std::string& title) {
+        for (int i = 0; i < 1000 && title_of_3() != title; ++i) {
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return title_of_3() == title;
+    };
+    // As QGIS edits: a log of its own beside the file, and one transaction for what is saved at once.
+    sqlite::Database qgis = sqlite::Database::open(site.file, sqlite::Access::ReadWrite);
+    REQUIRE(qgis.text("PRAGMA journal_mode = WAL") == "wal");
+    qgis.execute("BEGIN IMMEDIATE");
+    qgis.execute("UPDATE unit SET title = 'clay floor, burnt' WHERE number = '3'");
+    workspace.edit(QStringLiteral("add"), adding("8"));
+    settle(workspace);
+    REQUIRE(failures.size() == 1);
+    INFO(failures.front().toStdString());
+    CHECK(failures.front().contains(QStringLiteral("in use by another program")));
+    qgis.execute("COMMIT");
+    CHECK(wait_for("clay floor, burnt"));
+    workspace.edit(QStringLiteral("add"), adding("8"));
+    settle(workspace);
+    CHECK(failures.size() == 1);
+    qgis.execute("UPDATE unit SET title = 'clay floor, swept' WHERE number = '3'"); // saved a second time
+    CHECK(wait_for("clay floor, swept"));
+    const auto& units = workspace.snapshot()->record().units;
+    CHECK(std::any_of(units.begin(), units.end(), [](const auto& one) { return one.number == "8"; }));
+    app::Project project = site.reopened();
+    CHECK(has(project, "8"));
     CHECK(project.file().verify(Progress::none()).empty());
 }
 
