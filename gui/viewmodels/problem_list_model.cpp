@@ -11,6 +11,7 @@
 #include "app/evidence/section_evidence.hpp"
 #include "app/records/revision.hpp"
 #include "core/base/error.hpp"
+#include "gui/viewmodels/sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -58,7 +59,7 @@ struct SuspectWords {
 QString evidence_text(const model::EvidenceValue& value) {
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return QString::number(*whole);
     if (const auto* number = std::get_if<double>(&value)) return QLocale().toString(*number, 'g', 4);
-    return qt(std::get<std::string>(value));
+    return in_window_language(std::get<std::string>(value));
 }
 
 // The relation a suspect is about; nullptr for a unit.
@@ -237,7 +238,8 @@ QStringList ProblemListModel::coverage() const {
     QStringList lines;
     lines << tr("%1 relations state an order").arg(c.relations) << tr("%1 confirmed").arg(c.confirmed)
           << tr("%1 contradicted").arg(c.contradicted);
-    for (const auto& [why, count] : c.untestable) lines << tr("%1 not testable: %2").arg(count).arg(qt(why));
+    for (const auto& [why, count] : c.untestable)
+        lines << tr("%1 not testable: %2").arg(count).arg(in_window_language(why));
     return lines;
 }
 
@@ -262,19 +264,19 @@ ProblemDetail ProblemListModel::detail() const {
     const model::RecordIndex& index = snapshot_->index();
     detail.id = qt(problem->id);
     detail.title = check_title(problem->code);
-    detail.message = qt(problem->message);
+    detail.message = in_window_language(problem->message);
     detail.severity = problem->severity;
     detail.is_new = check_->new_ids.contains(problem->id);
     detail.has_faces = problem->code == "height-contradiction";
     for (const auto& [name, value] : problem->evidence) {
-        detail.evidence << qt(name) + QStringLiteral(": ") + evidence_text(value);
+        detail.evidence << evidence_word(name) + QStringLiteral(": ") + evidence_text(value);
     }
     for (const NamedRelation& relation : problem->relations) detail.proof << sentence_of(relation, index);
     for (const model::Suspect& suspect : problem->suspects) {
         SuspectLine line;
         std::visit(SuspectWords{index, line}, suspect.what);
         line.percent = static_cast<int>(100.0 * suspect.score + 0.5);
-        for (const std::string& why : suspect.reasons) line.reasons << qt(why);
+        for (const std::string& why : suspect.reasons) line.reasons << in_window_language(why);
         detail.suspects.push_back(std::move(line));
     }
     return detail;
@@ -325,14 +327,14 @@ QVariant ProblemListModel::data(const QModelIndex& index, int role) const {
     switch (role) {
     case SeverityRole: return static_cast<int>(problem.severity);
     case TitleRole: return check_title(problem.code);
-    case MessageRole: return qt(problem.message);
+    case MessageRole: return in_window_language(problem.message);
     case NewRole: return check_->new_ids.contains(problem.id);
     case IdRole: return qt(problem.id);
     case CodeRole: return qt(problem.code);
-    case Qt::DisplayRole: return check_title(problem.code) + QStringLiteral(": ") + qt(problem.message);
+    case Qt::DisplayRole: return check_title(problem.code) + QStringLiteral(": ") + in_window_language(problem.message);
     case Qt::AccessibleTextRole:
         return severity_word(problem.severity) + QStringLiteral(", ") + check_title(problem.code) +
-               QStringLiteral(": ") + qt(problem.message);
+               QStringLiteral(": ") + in_window_language(problem.message);
     default: return {};
     }
 }

@@ -8,6 +8,7 @@
 
 #include "app/scans/days_surface.hpp"
 #include "app/suggestions/suggestions.hpp"
+#include "gui/viewmodels/sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -53,15 +54,16 @@ void SuggestionListModel::list_again() {
     stale_ = false;
     workspace_.read(QStringLiteral("suggestions"), tr("Asking the surfaces"),
                     [this](app::Project& project, Progress& progress) -> JobRunner::Done {
-                        const app::SuggestionList list = app::list_suggestions(project, progress);
+                        app::SuggestionList list = app::list_suggestions(project, progress);
                         QStringList unused;
                         for (const app::UnusedSurface& one : list.unused) {
-                            unused << QStringLiteral("%1: %2").arg(qt(one.surface), qt(one.why));
+                            unused << QStringLiteral("%1: %2").arg(qt(one.surface), in_window_language(one.why));
                         }
-                        return [this, list, unused] {
+                        auto said = std::make_shared<std::vector<Suggestion>>(std::move(list.suggestions));
+                        return [this, said, unused] {
                             unused_ = unused;
                             listed_ = true;
-                            take(list.suggestions);
+                            take(std::move(*said));
                         };
                     });
 }
@@ -203,7 +205,7 @@ QVariant SuggestionListModel::data(const QModelIndex& index, int role) const {
                    ? title_of(s)
                    : QStringLiteral("%1  · %2").arg(title_of(s), suggestion_state_word(s.state));
     case Qt::ToolTipRole:
-    case ReasonRole: return qt(s.reason);
+    case ReasonRole: return in_window_language(s.reason);
     case QuestionRole: return s.type == SuggestionType::Question;
     case StateRole: return static_cast<int>(s.state);
     default: return {};

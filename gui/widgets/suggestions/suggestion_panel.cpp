@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "gui/viewmodels/models.hpp"
+#include "gui/viewmodels/sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/text_label.hpp"
@@ -150,10 +151,11 @@ void SuggestionPanel::show_detail() {
         column->addWidget(text_label(tr("Choose a suggestion: its units show in every view."), "faint"));
         if (!suggestions_.unused().isEmpty())
             column->addWidget(text_label(tr("Said nothing, or less than all"), "heading"));
-        for (const QString& line : suggestions_.unused()) column->addWidget(text_label(line, "faint"));
+        // One label: a hundred of them would take longer to lay out than a key may wait.
+        column->addWidget(text_label(suggestions_.unused().join(QLatin1Char('\n')), "faint"));
     } else {
         column->addWidget(text_label(suggestions_.title(), "title"));
-        column->addWidget(text_label(qt(s->reason)));
+        column->addWidget(text_label(in_window_language(s->reason)));
         column->addWidget(text_label(suggestions_.numbers().join(QStringLiteral("    ")), "faint"));
         if (s->state != model::SuggestionState::Open)
             column->addWidget(text_label(suggestion_state_word(s->state), "heading"));

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "gui/viewmodels/sentences.hpp"
+
+#include <QCoreApplication>
+#include <QTranslator>
+
+#include <set>
+
+#include "app/checks/daily_check.hpp"
+#include "app/demo/record_generator.hpp"
+#include "app/demo/record_mistakes.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gui_project.hpp"
+
+using namespace planum;
+using namespace planum::gui;
+
+namespace {
+
+// All that checks say of records with every kind of mistake: messages, reasons of suspicion, what could not be judged.
+std::set<std::string> all_sentences() {
+    std::set<std::string> said;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        app::RecordOptions options;
+        options.seed = seed;
+        options.units = 200;
+        app::GeneratedRecord generated = app::generate_record(options);
+        using app::MistakeKind;
+        for (const MistakeKind kind :
+             {MistakeKind::Reversed, MistakeKind::Transposed, MistakeKind::Mistyped, MistakeKind::WrongSameAs,
+              MistakeKind::NumberUsedTwice, MistakeKind::SwappedLevels}) {
+            app::MistakeOptions mistake;
+            mistake.seed = seed;
+            mistake.least_cycle = 0;
+            (void)app::seed_mistake(generated, kind, mistake);
+        }
+        const app::DailyCheck check = app::check_record(generated.record, Progress::none());
+        for (const model::Diagnostic& problem : check.problems) {
+            said.insert(problem.message);
+            for (const model::Suspect& suspect : problem.suspects)
+                said.insert(suspect.reasons.begin(), suspect.reasons.end());
+        }
+        for (const auto& [why, count] : check.coverage.untestable) said.insert(why);
+    }
+    return said;
+}
+
+struct German {
+    QTranslator translator;
+    bool there = translator.load(QStringLiteral(":/translations/planum_de.qm"));
+
+    German() {
+        if (there) QCoreApplication::installTranslator(&translator);
+    }
+
+    ~German() { QCoreApplication::removeTranslator(&translator); }
+};
+
+} // namespace
+
+TEST_CASE("In English every sentence of the checks stays as it is") {
+    test::ensure_core_application();
+    for (const std::string& sentence : all_sentences()) CHECK(in_window_language(sentence).toStdString() == sentence);
+}
+
+TEST_CASE("In German no sentence of the checks is left in English") {
+    test::ensure_core_application();
+    const German german;
+    if (!german.there) {
+        WARN("skipped: no translations were built");
+        return;
+    }
+    const std::set<std::string> all = all_sentences();
+    CHECK(all.size() > 50);
+    for (const std::string& sentence : all) {
+        INFO(sentence);
+        const QString said = in_window_language(sentence);
+        INFO(said.toStdString());
+        CHECK(said.toStdString() != sentence);
+        for (const char* word : {" the ", " covers ", " is ", " and ", " of "}) {
+            CHECK_FALSE(said.contains(QLatin1String(word)));
+        }
+    }
+}
+
+TEST_CASE("Sentences within a sentence are said in German too, what people wrote stays theirs") {
+    test::ensure_core_application();
+    const German german;
+    if (!german.there) {
+        WARN("skipped: no translations were built");
+        return;
+    }
+    CHECK(
+        in_window_language(std::string("1008 covers 1003, 1003 fills 1004 and 2 steps more: one contact stated as two "
+                                       "kinds; the order is the same")) ==
+        QString::fromUtf8("1008 überlagert 1003, 1003 verfüllt 1004 und 2 weitere Schritte: ein Kontakt in zwei Arten "
+                          "genannt; die Folge ist dieselbe"));
+    CHECK(in_window_language(
+              std::string("units.csv:8: the title of 3 is clay and ash here and was sand before; the first "
+                          "is kept")) ==
+          QString::fromUtf8("units.csv:8: title von 3 ist hier clay and ash und war vorher sand; das erste bleibt"));
+    CHECK(in_window_language(std::string("a note that somebody wrote")) ==
+          QStringLiteral("a note that somebody wrote"));
+}
