@@ -121,6 +121,161 @@
     </message>
 </context>
 <context>
+    <name>evidence</name>
+    <message>
+        <source>upper one dug</source>
+        <translation>oben ausgegraben</translation>
+    </message>
+    <message>
+        <source>area [m²]</source>
+        <translation>Fläche [m²]</translation>
+    </message>
+    <message>
+        <source>base [m]</source>
+        <translation>Unterkante [m]</translation>
+    </message>
+    <message>
+        <source>lower one dug</source>
+        <translation>unten ausgegraben</translation>
+    </message>
+    <message>
+        <source>by years</source>
+        <translation>nach Jahren</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>nicht zu sagen</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>difference [m]</source>
+        <translation>Unterschied [m]</translation>
+    </message>
+    <message>
+        <source>direct</source>
+        <translation>unmittelbar</translation>
+    </message>
+    <message>
+        <source>earlier one not before</source>
+        <translation>älterer nicht vor</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>later one not after</source>
+        <translation>jüngerer nicht nach</translation>
+    </message>
+    <message>
+        <source>length [m]</source>
+        <translation>Länge [m]</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>close together</source>
+        <translation>nah beieinander</translation>
+    </message>
+    <message>
+        <source>not after</source>
+        <translation>nicht nach</translation>
+    </message>
+    <message>
+        <source>not before</source>
+        <translation>nicht vor</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>orders</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>other unit [m]</source>
+        <translation>der andere [m]</translation>
+    </message>
+    <message>
+        <source>to be removed</source>
+        <translation>zu streichen</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>σ of the place [m]</source>
+        <translation>σ der Lage [m]</translation>
+    </message>
+    <message>
+        <source>σ of the turn [°]</source>
+        <translation>σ der Drehung [°]</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>thickness [m]</source>
+        <translation>Dicke [m]</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Male</translation>
+    </message>
+    <message>
+        <source>tolerance [m]</source>
+        <translation>Toleranz [m]</translation>
+    </message>
+    <message>
+        <source>top [m]</source>
+        <translation>Oberkante [m]</translation>
+    </message>
+    <message>
+        <source>unit [m]</source>
+        <translation>der eine [m]</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>years</source>
+        <translation>Jahre</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>Kreis %1</translation>
+    </message>
+</context>
+<context>
     <name>export</name>
     <message>
         <source>wrote %1</source>
@@ -140,6 +295,37 @@
     <message>
         <source>No copy of the project could be kept: %1</source>
         <translation>Vom Projekt ließ sich keine Kopie anlegen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::BoxPanel</name>
+    <message>
+        <source>West to east</source>
+        <translation>West nach Ost</translation>
+    </message>
+    <message>
+        <source>South to north</source>
+        <translation>Süd nach Nord</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Cut nothing away</source>
+        <translation>Nichts wegschneiden</translation>
     </message>
 </context>
 <context>
@@ -474,6 +660,33 @@
         <source>Discard registration %1</source>
         <translation>Registrierung %1 verwerfen</translation>
     </message>
+    <message>
+        <source>Cleaning the project</source>
+        <translation>Projekt aufräumen</translation>
+    </message>
+    <message>
+        <source>nothing was removed: the project file itself is not sound</source>
+        <translation>nichts wurde entfernt: die Projektdatei selbst ist nicht heil</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) removed, %1 MB</source>
+        <translation>
+            <numerusform>%n Datei entfernt, %1 MB</numerusform>
+            <numerusform>%n Dateien entfernt, %1 MB</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the project file is %1 MB shorter</source>
+        <translation>die Projektdatei ist %1 MB kürzer</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Punkte von %1</translation>
+    </message>
+    <message>
+        <source>wrote %1: %2 points</source>
+        <translation>%1 geschrieben: %2 Punkte</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::JobSign</name>
@@ -697,6 +910,26 @@
         <source>   – closes a circle</source>
         <translation>   – schließt einen Kreis</translation>
     </message>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>contradicted</source>
+        <translation>widersprochen</translation>
+    </message>
+    <message>
+        <source>not testable</source>
+        <translation>nicht prüfbar</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Belege</translation>
+    </message>
+    <message>
+        <source>Which lines surfaces, sections and levels confirm or contradict</source>
+        <translation>Welche Linien Oberflächen, Profile und Höhen bestätigen oder widerlegen</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::NoticeBar</name>
@@ -856,7 +1089,7 @@
     </message>
     <message>
         <source>Report, plan, section</source>
-        <translation>Bericht, Plan, Schnitt</translation>
+        <translation>Bericht, Plan, Profil</translation>
     </message>
     <message>
         <source>Report …</source>
@@ -868,7 +1101,7 @@
     </message>
     <message>
         <source>Section to scale …</source>
-        <translation>Schnitt im Maßstab …</translation>
+        <translation>Profil im Maßstab …</translation>
     </message>
     <message>
         <source>the whole record</source>
@@ -904,19 +1137,39 @@
     </message>
     <message>
         <source>There is no section yet.</source>
-        <translation>Es gibt noch keinen Schnitt.</translation>
+        <translation>Es gibt noch kein Profil.</translation>
     </message>
     <message>
         <source>Section to scale</source>
-        <translation>Schnitt im Maßstab</translation>
+        <translation>Profil im Maßstab</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation>Schnitt</translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>Writing %1</source>
         <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Section between two points …</source>
+        <translation>Profil zwischen zwei Punkten …</translation>
+    </message>
+    <message>
+        <source>Section between two points</source>
+        <translation>Profil zwischen zwei Punkten</translation>
+    </message>
+    <message>
+        <source>From x y [m]</source>
+        <translation>Von x y [m]</translation>
+    </message>
+    <message>
+        <source>To x y [m]</source>
+        <translation>Bis x y [m]</translation>
+    </message>
+    <message>
+        <source>A place is two numbers: x and y in metres.</source>
+        <translation>Ein Ort sind zwei Zahlen: x und y in Metern.</translation>
     </message>
 </context>
 <context>
@@ -1217,6 +1470,42 @@
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
+    <message>
+        <source>Make a sample dig …</source>
+        <translation>Beispielgrabung anlegen …</translation>
+    </message>
+    <message>
+        <source>Print the matrix …</source>
+        <translation>Matrix drucken …</translation>
+    </message>
+    <message>
+        <source>No matrix is drawn that could be printed.</source>
+        <translation>Es ist keine Matrix gezeichnet, die gedruckt werden könnte.</translation>
+    </message>
+    <message>
+        <source>small: 12 units, half a minute</source>
+        <translation>klein: 12 Befunde, eine halbe Minute</translation>
+    </message>
+    <message>
+        <source>medium: 40 units, minutes, 600 MB</source>
+        <translation>mittel: 40 Befunde, Minuten, 600 MB</translation>
+    </message>
+    <message>
+        <source>Make a sample dig</source>
+        <translation>Beispielgrabung anlegen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>New folder for the sample dig</source>
+        <translation>Neuer Ordner für die Beispielgrabung</translation>
+    </message>
+    <message>
+        <source>Making a sample dig</source>
+        <translation>Beispielgrabung wird angelegt</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ProofPicture</name>
@@ -1492,6 +1781,14 @@
         <source>Looking up a point</source>
         <translation>Punkt nachsehen</translation>
     </message>
+    <message>
+        <source>The 3D view needs a display; the program runs without one (%1). All other views work.</source>
+        <translation>Die 3D-Ansicht braucht einen Bildschirm; das Programm läuft ohne (%1). Alle anderen Ansichten arbeiten.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::SpaceModel</name>
@@ -1553,6 +1850,65 @@
     <message>
         <source>The trench (F)</source>
         <translation>Der Schnitt (F)</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) written</source>
+        <translation>
+            <numerusform>%n Bild geschrieben</numerusform>
+            <numerusform>%n Bilder geschrieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Cut away what lies in front, above or behind</source>
+        <translation>Wegschneiden, was davor, darüber oder dahinter liegt</translation>
+    </message>
+    <message>
+        <source>Place a camera here</source>
+        <translation>Kamera hier aufstellen</translation>
+    </message>
+    <message>
+        <source>Write the flight …</source>
+        <translation>Flug schreiben …</translation>
+    </message>
+    <message>
+        <source>Forget the cameras</source>
+        <translation>Kameras vergessen</translation>
+    </message>
+    <message>
+        <source>A flight along placed cameras, as numbered pictures</source>
+        <translation>Ein Flug entlang aufgestellter Kameras, als nummerierte Bilder</translation>
+    </message>
+    <message>
+        <source>Flight</source>
+        <translation>Flug</translation>
+    </message>
+    <message>
+        <source>Flight (%1)</source>
+        <translation>Flug (%1)</translation>
+    </message>
+    <message>
+        <source>Write the flight</source>
+        <translation>Flug schreiben</translation>
+    </message>
+    <message>
+        <source>Frames from camera to camera</source>
+        <translation>Bilder von Kamera zu Kamera</translation>
+    </message>
+    <message>
+        <source>Folder for the frames</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Befund</translation>
     </message>
 </context>
 <context>
@@ -1821,6 +2177,46 @@
         <source>wrote %1</source>
         <translation>%1 geschrieben</translation>
     </message>
+    <message>
+        <source>Verify and clean up …</source>
+        <translation>Prüfen und aufräumen …</translation>
+    </message>
+    <message>
+        <source>Points of a region …</source>
+        <translation>Punkte einer Region …</translation>
+    </message>
+    <message>
+        <source>Verify and clean up</source>
+        <translation>Prüfen und aufräumen</translation>
+    </message>
+    <message>
+        <source>Kept points, pictures and heights that nothing uses any more are removed. The record, the scans themselves and all that can be taken back stay as they are.</source>
+        <translation>Aufbewahrte Punkte, Bilder und Höhen, die nichts mehr braucht, werden entfernt. Die Aufnahme, die Scans selbst und alles, was rückgängig gemacht werden kann, bleiben wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Clean up</source>
+        <translation>Aufräumen</translation>
+    </message>
+    <message>
+        <source>There is no outline yet.</source>
+        <translation>Es gibt noch keinen Umriss.</translation>
+    </message>
+    <message>
+        <source>Points of a region</source>
+        <translation>Punkte einer Region</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Punkte von %1</translation>
+    </message>
+    <message>
+        <source>Points (*.ply)</source>
+        <translation>Punkte (*.ply)</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::UnitCardModel</name>
@@ -1987,10 +2383,688 @@
     </message>
 </context>
 <context>
+    <name>print</name>
+    <message>
+        <source>Print the matrix</source>
+        <translation>Matrix drucken</translation>
+    </message>
+</context>
+<context>
     <name>reason</name>
     <message>
         <source>Reason, for those who read it in ten years</source>
         <translation>Begründung, für die, die es in zehn Jahren lesen</translation>
+    </message>
+</context>
+<context>
+    <name>sentences</name>
+    <message>
+        <source>%1 covers %2</source>
+        <translation>%1 überlagert %2</translation>
+    </message>
+    <message>
+        <source>%1 cuts %2</source>
+        <translation>%1 schneidet %2</translation>
+    </message>
+    <message>
+        <source>%1 fills %2</source>
+        <translation>%1 verfüllt %2</translation>
+    </message>
+    <message>
+        <source>%1 abuts %2</source>
+        <translation>%1 zieht gegen %2</translation>
+    </message>
+    <message>
+        <source>%1 bonds with %2</source>
+        <translation>%1 ist im Verband mit %2</translation>
+    </message>
+    <message>
+        <source>%1 is the same as %2</source>
+        <translation>%1 ist identisch mit %2</translation>
+    </message>
+    <message>
+        <source>%1 borders %2</source>
+        <translation>%1 grenzt an %2</translation>
+    </message>
+    <message>
+        <source>%1 is later than %2</source>
+        <translation>%1 ist jünger als %2</translation>
+    </message>
+    <message>
+        <source>%1 is contemporary with %2</source>
+        <translation>%1 ist gleichzeitig mit %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 and %2 steps more</source>
+        <translation>%1 und %2 weitere Schritte</translation>
+    </message>
+    <message>
+        <source>%1 BCE</source>
+        <translation>%1 v. Chr.</translation>
+    </message>
+    <message>
+        <source>%1 CE</source>
+        <translation>%1 n. Chr.</translation>
+    </message>
+    <message>
+        <source>terminus post quem</source>
+        <translation>Terminus post quem</translation>
+    </message>
+    <message>
+        <source>terminus ante quem</source>
+        <translation>Terminus ante quem</translation>
+    </message>
+    <message>
+        <source>terminus post quem %1</source>
+        <translation>Terminus post quem %1</translation>
+    </message>
+    <message>
+        <source>terminus ante quem %1</source>
+        <translation>Terminus ante quem %1</translation>
+    </message>
+    <message>
+        <source>phase %1</source>
+        <translation>Phase %1</translation>
+    </message>
+    <message>
+        <source>period %1</source>
+        <translation>Periode %1</translation>
+    </message>
+    <message>
+        <source>phase %1 of period %2</source>
+        <translation>Phase %1 der Periode %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>%1 (from %2)</source>
+        <translation>%1 (ab %2)</translation>
+    </message>
+    <message>
+        <source>%1 (until %2)</source>
+        <translation>%1 (bis %2)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 for %3?)</source>
+        <translation>%1 (%2 statt %3?)</translation>
+    </message>
+    <message>
+        <source>%1 (two units under one number?)</source>
+        <translation>%1 (zwei Befunde unter einer Nummer?)</translation>
+    </message>
+    <message>
+        <source>%1 units lie above one another in a circle: %2</source>
+        <translation>%1 Befunde liegen im Kreis übereinander: %2</translation>
+    </message>
+    <message>
+        <source>%1 units lie above one another in a circle once same-as is applied: %2</source>
+        <translation>%1 Befunde liegen im Kreis übereinander, sobald die Gleichsetzungen gelten: %2</translation>
+    </message>
+    <message>
+        <source>%1; nothing in the record tells which of these is wrong</source>
+        <translation>%1; nichts in der Aufnahme sagt, was davon falsch ist</translation>
+    </message>
+    <message>
+        <source>%1; most suspect: %2</source>
+        <translation>%1; am verdächtigsten: %2</translation>
+    </message>
+    <message>
+        <source>%1, yet same-as makes the two one unit</source>
+        <translation>%1, doch die Gleichsetzung macht beide zu einem Befund</translation>
+    </message>
+    <message>
+        <source>without it the two are two units</source>
+        <translation>ohne sie sind es zwei Befunde</translation>
+    </message>
+    <message>
+        <source>a unit cannot lie above itself</source>
+        <translation>ein Befund kann nicht über sich selbst liegen</translation>
+    </message>
+    <message>
+        <source>in its favour: %1</source>
+        <translation>dafür spricht: %1</translation>
+    </message>
+    <message>
+        <source>every circle passes through %1, and no single relation breaks them all: probably two units under one number, to be split</source>
+        <translation>jeder Kreis geht durch %1, und keine einzelne Beziehung bricht sie alle: wohl zwei Befunde unter einer Nummer, zu teilen</translation>
+    </message>
+    <message>
+        <source>no circle is left when %1 and %2 are two units</source>
+        <translation>kein Kreis bleibt, wenn %1 und %2 zwei Befunde sind</translation>
+    </message>
+    <message>
+        <source>without it some circles are gone, but not all</source>
+        <translation>ohne sie sind einige Kreise fort, aber nicht alle</translation>
+    </message>
+    <message>
+        <source>without it no circle is left</source>
+        <translation>ohne sie bleibt kein Kreis</translation>
+    </message>
+    <message>
+        <source>it is one of %1 relations without which no circle is left</source>
+        <translation>sie ist eine von %1 Beziehungen, ohne die kein Kreis bleibt</translation>
+    </message>
+    <message>
+        <source>doubting it instead would do as well</source>
+        <translation>an ihr statt dessen zu zweifeln täte es ebenso</translation>
+    </message>
+    <message>
+        <source>doubting it instead would also break a circle</source>
+        <translation>an ihr statt dessen zu zweifeln bräche auch einen Kreis</translation>
+    </message>
+    <message>
+        <source>%1 is probably meant instead of %2: %3</source>
+        <translation>gemeint ist wohl %1 statt %2: %3</translation>
+    </message>
+    <message>
+        <source>the sheet of %1 states this relation with %2, whose own sheet names %3 instead</source>
+        <translation>der Bogen von %1 nennt diese Beziehung zu %2, dessen eigener Bogen dafür %3 nennt</translation>
+    </message>
+    <message>
+        <source>%1, one slip of the pen away, lies nearer to %2 and would close no circle</source>
+        <translation>%1, nur einen Schreibfehler entfernt, liegt näher an %2 und schlösse keinen Kreis</translation>
+    </message>
+    <message>
+        <source>both sheets state it</source>
+        <translation>beide Bögen nennen sie</translation>
+    </message>
+    <message>
+        <source>only one of the two sheets states it, where most relations stand on both</source>
+        <translation>nur einer der beiden Bögen nennt sie, wo die meisten auf beiden stehen</translation>
+    </message>
+    <message>
+        <source>only one of the two sheets states it</source>
+        <translation>nur einer der beiden Bögen nennt sie</translation>
+    </message>
+    <message>
+        <source>the upper unit was dug first</source>
+        <translation>der obere Befund wurde zuerst ausgegraben</translation>
+    </message>
+    <message>
+        <source>the lower unit was dug before the upper one</source>
+        <translation>der untere Befund wurde vor dem oberen ausgegraben</translation>
+    </message>
+    <message>
+        <source>numbers of this site grow downwards as a rule, here it is the other way round</source>
+        <translation>die Nummern wachsen auf diesem Platz in der Regel nach unten, hier umgekehrt</translation>
+    </message>
+    <message>
+        <source>the numbers follow each other as on the rest of the site</source>
+        <translation>die Nummern folgen einander wie sonst auf dem Platz</translation>
+    </message>
+    <message>
+        <source>the levels lie the other way round than between such units as a rule</source>
+        <translation>die Nivellements liegen umgekehrt als sonst zwischen solchen Befunden</translation>
+    </message>
+    <message>
+        <source>the levels lie as they should</source>
+        <translation>die Nivellements liegen, wie sie sollen</translation>
+    </message>
+    <message>
+        <source>the two units lie far apart in plan</source>
+        <translation>die beiden Befunde liegen im Plan weit auseinander</translation>
+    </message>
+    <message>
+        <source>the two units lie close together in plan</source>
+        <translation>die beiden Befunde liegen im Plan nah beieinander</translation>
+    </message>
+    <message>
+        <source>the two numbers are further apart than those of units that touch as a rule</source>
+        <translation>die beiden Nummern liegen weiter auseinander als sonst bei Befunden, die sich berühren</translation>
+    </message>
+    <message>
+        <source>the two numbers are close together</source>
+        <translation>die beiden Nummern liegen nah beieinander</translation>
+    </message>
+    <message>
+        <source>a cut or fill is hard to see the wrong way round</source>
+        <translation>ein Eingriff oder eine Verfüllung ist schwer verkehrt herum zu sehen</translation>
+    </message>
+    <message>
+        <source>which of two deposits leans on the other is easily mistaken</source>
+        <translation>welche von zwei Schichten an die andere zieht, ist leicht verwechselt</translation>
+    </message>
+    <message>
+        <source>leaning and age alone are weaker observations than covering</source>
+        <translation>Anziehen und bloßes Alter sind schwächere Beobachtungen als Überlagern</translation>
+    </message>
+    <message>
+        <source>it is marked as uncertain</source>
+        <translation>sie ist als unsicher bezeichnet</translation>
+    </message>
+    <message>
+        <source>the kinds of the two units do not fit it</source>
+        <translation>die Arten der beiden Befunde passen nicht dazu</translation>
+    </message>
+    <message>
+        <source>the levels of the two units exclude it</source>
+        <translation>die Nivellements der beiden Befunde schließen sie aus</translation>
+    </message>
+    <message>
+        <source>the levels of the two units confirm it</source>
+        <translation>die Nivellements der beiden Befunde bestätigen sie</translation>
+    </message>
+    <message>
+        <source>the dates of the two units exclude it</source>
+        <translation>die Datierungen der beiden Befunde schließen sie aus</translation>
+    </message>
+    <message>
+        <source>the dates of the two units agree with it</source>
+        <translation>die Datierungen der beiden Befunde stimmen damit überein</translation>
+    </message>
+    <message>
+        <source>the phases of the two units exclude it</source>
+        <translation>die Phasen der beiden Befunde schließen sie aus</translation>
+    </message>
+    <message>
+        <source>the phases of the two units agree with it</source>
+        <translation>die Phasen der beiden Befunde stimmen damit überein</translation>
+    </message>
+    <message>
+        <source>the recorded surfaces show it</source>
+        <translation>die aufgenommenen Oberflächen zeigen es so</translation>
+    </message>
+    <message>
+        <source>the recorded surfaces show the opposite</source>
+        <translation>die aufgenommenen Oberflächen zeigen das Gegenteil</translation>
+    </message>
+    <message>
+        <source>another sheet, one slip of the pen away, states what this one seems to mean</source>
+        <translation>ein anderer Bogen, nur einen Schreibfehler entfernt, nennt, was dieser zu meinen scheint</translation>
+    </message>
+    <message>
+        <source>it is a correlation across a gap, not one unit seen twice</source>
+        <translation>sie ist eine Gleichsetzung über eine Lücke hinweg, kein zweimal gesehener Befund</translation>
+    </message>
+    <message>
+        <source>the two units lie in different areas</source>
+        <translation>die beiden Befunde liegen in verschiedenen Flächen</translation>
+    </message>
+    <message>
+        <source>the two units are of different kinds</source>
+        <translation>die beiden Befunde sind von verschiedener Art</translation>
+    </message>
+    <message>
+        <source>the dates of the two units exclude each other</source>
+        <translation>die Datierungen der beiden Befunde schließen einander aus</translation>
+    </message>
+    <message>
+        <source>%1: a unit cannot lie above itself; probably another number was meant</source>
+        <translation>%1: ein Befund kann nicht über sich selbst liegen; gemeint war wohl eine andere Nummer</translation>
+    </message>
+    <message>
+        <source>%1, and %2: one of the two is wrong</source>
+        <translation>%1, und %2: eines von beiden ist falsch</translation>
+    </message>
+    <message>
+        <source>%1, yet %2 puts one after the other</source>
+        <translation>%1, doch %2 setzt den einen nach dem anderen</translation>
+    </message>
+    <message>
+        <source>%1: one contact stated as two kinds; the order is the same</source>
+        <translation>%1: ein Kontakt in zwei Arten genannt; die Folge ist dieselbe</translation>
+    </message>
+    <message>
+        <source>%1 is written twice on one sheet (lines %2 and %3)</source>
+        <translation>%1 steht zweimal auf einem Bogen (Zeilen %2 und %3)</translation>
+    </message>
+    <message>
+        <source>%1 follows from other relations; it is kept as evidence and left out of the drawing</source>
+        <translation>%1 folgt aus anderen Beziehungen; es bleibt als Beleg erhalten und fehlt nur in der Zeichnung</translation>
+    </message>
+    <message>
+        <source>%1 relations follow from others; they are kept as evidence and left out of the drawing</source>
+        <translation>%1 Beziehungen folgen aus anderen; sie bleiben als Beleg erhalten und fehlen nur in der Zeichnung</translation>
+    </message>
+    <message>
+        <source>%1: its base at %2 lies %3 above its top at %4</source>
+        <translation>%1: seine Unterkante bei %2 liegt %3 über seiner Oberkante bei %4</translation>
+    </message>
+    <message>
+        <source>%1, measured at the same place</source>
+        <translation>%1, an derselben Stelle gemessen</translation>
+    </message>
+    <message>
+        <source>%1, but the %2 of %3 (%4) is %5 higher than the %6 of %7 (%8)</source>
+        <translation>%1, aber %2 von %3 (%4) liegt %5 höher als %6 von %7 (%8)</translation>
+    </message>
+    <message>
+        <source>%1, but the %2 of %3 (%4) is %5 lower than the %6 of %7 (%8)</source>
+        <translation>%1, aber %2 von %3 (%4) liegt %5 tiefer als %6 von %7 (%8)</translation>
+    </message>
+    <message>
+        <source>highest level on top</source>
+        <translation>der höchste Punkt der Oberkante</translation>
+    </message>
+    <message>
+        <source>lowest level at the base</source>
+        <translation>der tiefste Punkt der Unterkante</translation>
+    </message>
+    <message>
+        <source>deepest level</source>
+        <translation>der tiefste Punkt</translation>
+    </message>
+    <message>
+        <source>find %1 is recorded in %2, which is a cut and can hold nothing; it belongs to a fill</source>
+        <translation>Fund %1 ist unter %2 aufgenommen, einem Eingriff, der nichts enthalten kann; er gehört in eine Verfüllung</translation>
+    </message>
+    <message>
+        <source>find %1 at %2 lies %3 above the top of %4 (%5)</source>
+        <translation>Fund %1 bei %2 liegt %3 über der Oberkante von %4 (%5)</translation>
+    </message>
+    <message>
+        <source>find %1 at %2 lies %3 below the base of %4 (%5)</source>
+        <translation>Fund %1 bei %2 liegt %3 unter der Unterkante von %4 (%5)</translation>
+    </message>
+    <message>
+        <source>%1, but in the section %2 lies on %3 along %4 m: the relation is the wrong way round, or an outline carries the wrong number</source>
+        <translation>%1, aber im Profil liegt %2 auf %4 m Länge auf %3: die Beziehung ist verkehrt herum, oder ein Umriss trägt die falsche Nummer</translation>
+    </message>
+    <message>
+        <source>%1, but over %2 m² %3 lay above %4, which came out %5 m lower: the relation is the wrong way round, or an outline carries the wrong number, or %6 was dug before %7</source>
+        <translation>%1, aber auf %2 m² lag %3 über %4, das %5 m tiefer zutage kam: die Beziehung ist verkehrt herum, oder ein Umriss trägt die falsche Nummer, oder %6 wurde vor %7 ausgegraben</translation>
+    </message>
+    <message>
+        <source>levels do not decide it</source>
+        <translation>die Nivellements entscheiden es nicht</translation>
+    </message>
+    <message>
+        <source>levels agree, which proves nothing for a cut or a fill</source>
+        <translation>die Nivellements stimmen, was bei Eingriff oder Verfüllung nichts beweist</translation>
+    </message>
+    <message>
+        <source>no levels of one of the units</source>
+        <translation>kein Nivellement von einem der Befunde</translation>
+    </message>
+    <message>
+        <source>no levels of either unit</source>
+        <translation>kein Nivellement von beiden Befunden</translation>
+    </message>
+    <message>
+        <source>abutting says nothing about heights</source>
+        <translation>Anziehen sagt nichts über Höhen</translation>
+    </message>
+    <message>
+        <source>stated in time only</source>
+        <translation>nur der Zeit nach genannt</translation>
+    </message>
+    <message>
+        <source>the levels of one unit contradict themselves</source>
+        <translation>die Nivellements eines Befundes widersprechen sich</translation>
+    </message>
+    <message>
+        <source>the find may be intrusive, or the relation wrong</source>
+        <translation>der Fund kann verlagert sein, oder die Beziehung ist falsch</translation>
+    </message>
+    <message>
+        <source>the sample may be intrusive, or the relation wrong</source>
+        <translation>die Probe kann verlagert sein, oder die Beziehung ist falsch</translation>
+    </message>
+    <message>
+        <source>one of the dates or the relation is wrong</source>
+        <translation>eine der Datierungen oder die Beziehung ist falsch</translation>
+    </message>
+    <message>
+        <source>%1, but %2 is not later than %3 (%4) and %5 not earlier than %6 (%7): %8</source>
+        <translation>%1, aber %2 ist nicht jünger als %3 (%4) und %5 nicht älter als %6 (%7): %8</translation>
+    </message>
+    <message>
+        <source>%1 holds dates that exclude each other: not earlier than %2 (%3), not later than %4 (%5); %6</source>
+        <translation>%1 hat Datierungen, die einander ausschließen: nicht älter als %2 (%3), nicht jünger als %4 (%5); %6</translation>
+    </message>
+    <message>
+        <source>%1, but %2 belongs to %3 and %4 to %5, which is later</source>
+        <translation>%1, aber %2 gehört zu %3 und %4 zu %5, das jünger ist</translation>
+    </message>
+    <message>
+        <source>%1, but %2 was dug out on %3, before %4 was dug on %5: the relation, a date or the sequence of digging is wrong</source>
+        <translation>%1, aber %2 wurde am %3 ausgegraben, bevor %4 am %5 an die Reihe kam: die Beziehung, ein Datum oder die Reihenfolge des Grabens ist falsch</translation>
+    </message>
+    <message>
+        <source>%1, but %2</source>
+        <translation>%1, aber %2</translation>
+    </message>
+    <message>
+        <source>%1 is recorded as %2</source>
+        <translation>%1 ist aufgenommen als %2</translation>
+    </message>
+    <message>
+        <source>%1 is recorded as %2 and %3 as %4</source>
+        <translation>%1 ist aufgenommen als %2 und %3 als %4</translation>
+    </message>
+    <message>
+        <source>%1; only a cut or a feature cuts</source>
+        <translation>%1; nur ein Eingriff oder ein Komplex schneidet</translation>
+    </message>
+    <message>
+        <source>%1; a cut fills nothing</source>
+        <translation>%1; ein Eingriff verfüllt nichts</translation>
+    </message>
+    <message>
+        <source>%1; only cuts, features and structures are filled</source>
+        <translation>%1; verfüllt werden nur Eingriffe, Komplexe und Strukturen</translation>
+    </message>
+    <message>
+        <source>%1; only what was built bonds</source>
+        <translation>%1; im Verband steht nur Gebautes</translation>
+    </message>
+    <message>
+        <source>%1; a cut has no body that could lie or lean on anything</source>
+        <translation>%1; ein Eingriff hat keinen Körper, der auf etwas liegen oder daran ziehen könnte</translation>
+    </message>
+    <message>
+        <source>deposit</source>
+        <translation>Ablagerung</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Eingriff</translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation>Komplex</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>interface</source>
+        <translation>Grenzfläche</translation>
+    </message>
+    <message>
+        <source>skeleton</source>
+        <translation>Skelett</translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation>Anstehendes</translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation>Leerraum</translation>
+    </message>
+    <message>
+        <source>%1 is a fill, but no cut is named that it fills</source>
+        <translation>%1 ist eine Verfüllung, aber kein Eingriff ist genannt, den sie verfüllt</translation>
+    </message>
+    <message>
+        <source>%1 is a cut, but nothing is recorded that fills it</source>
+        <translation>%1 ist ein Eingriff, aber nichts ist aufgenommen, das ihn verfüllt</translation>
+    </message>
+    <message>
+        <source>%1 is a cut, but nothing is recorded that it cuts</source>
+        <translation>%1 ist ein Eingriff, aber nichts ist aufgenommen, das er schneidet</translation>
+    </message>
+    <message>
+        <source>%1, but %2 is natural ground; nothing made by people lies below it unless it was moved</source>
+        <translation>%1, aber %2 ist Anstehendes; darunter liegt nichts von Menschen Gemachtes, wenn es nicht verlagert ist</translation>
+    </message>
+    <message>
+        <source>number %1 is given to %2 units (%3), though numbers are unique on this site</source>
+        <translation>Nummer %1 ist an %2 Befunde vergeben (%3), obwohl Nummern auf diesem Platz einmalig sind</translation>
+    </message>
+    <message>
+        <source>%1 stands in area %2, whose numbers run from %3 to %4</source>
+        <translation>%1 liegt in Fläche %2, deren Nummern von %3 bis %4 gehen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 relations stand on one of the two sheets only, among them: %4</source>
+        <translation>%1: %2 von %3 Beziehungen stehen nur auf einem der beiden Bögen, darunter: %4</translation>
+    </message>
+    <message>
+        <source>%1 is named in a relation (%2) but has no sheet of its own</source>
+        <translation>%1 ist in einer Beziehung genannt (%2), hat aber keinen eigenen Bogen</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of %3 is %4 here and was %5 before; the first is kept</source>
+        <translation>%1: %2 von %3 ist hier %4 und war vorher %5; das erste bleibt</translation>
+    </message>
+    <message>
+        <source>%1 stands in no order to any other unit</source>
+        <translation>%1 steht in keiner Folge zu einem anderen Befund</translation>
+    </message>
+    <message>
+        <source>%1 units stand in no order to any other unit, among them %2</source>
+        <translation>%1 Befunde stehen in keiner Folge zu einem anderen Befund, darunter %2</translation>
+    </message>
+    <message>
+        <source>%1 scans are not on the site grid (planum register), among them %2</source>
+        <translation>%1 Scans liegen nicht im Grabungsnetz (planum register), darunter %2</translation>
+    </message>
+    <message>
+        <source>%1 scans are placed poorly, among them %2</source>
+        <translation>%1 Scans liegen nur ungenau, darunter %2</translation>
+    </message>
+    <message>
+        <source>%1 units are named in relations but have no sheet of their own, among them %2</source>
+        <translation>%1 Befunde sind in Beziehungen genannt, haben aber keinen eigenen Bogen, darunter %2</translation>
+    </message>
+    <message>
+        <source>%1 stands where it does only to %2 mm and %3 degrees: %4</source>
+        <translation>%1 liegt nur auf %2 mm und %3 Grad genau: %4</translation>
+    </message>
+    <message>
+        <source>the run says no more</source>
+        <translation>der Lauf sagt nicht mehr</translation>
+    </message>
+    <message>
+        <source>%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why</source>
+        <translation>%1 liegt nicht im Grabungsnetz, also folgt nichts daraus; planum register SITE sagt warum</translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 lay bare where %4 had been on %5, %6 lower</source>
+        <translation>am %1 lagen %2 von %3 frei, wo am %5 %4 gewesen war, %6 tiefer</translation>
+    </message>
+    <message>
+        <source>on %1 %2 of the cut %3 lay bare where %4 had been on %5, %6 lower</source>
+        <translation>am %1 lagen %2 des Eingriffs %3 frei, wo am %5 %4 gewesen war, %6 tiefer</translation>
+    </message>
+    <message>
+        <source>the cut %1 was empty on %2; on %3 %4 of %5 lay %6 below its bottom</source>
+        <translation>der Eingriff %1 war am %2 leer; am %3 lagen %4 von %5 %6 unter seiner Sohle</translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 lay bare where %4 had been on %5, too little lower for the heights to tell</source>
+        <translation>am %1 lagen %2 von %3 frei, wo am %5 %4 gewesen war, zu wenig tiefer, als dass die Höhen es sagten</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 the line between %3 and %4 moved into %5 over %6 while the ground went down %7: %8 dips flat under %9</source>
+        <translation>vom %1 zum %2 rückte die Grenze zwischen %3 und %4 um %6 in %5 vor, während der Boden um %7 tiefer kam: %8 fällt flach unter %9 ein</translation>
+    </message>
+    <message>
+        <source>where %1 was on %2, %3 of %4 came out on %5, %6 lower</source>
+        <translation>wo am %2 %1 war, kamen am %5 %3 von %4 zutage, %6 tiefer</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2 and became smaller by %3 from %4 to %5, %6 lower</source>
+        <translation>%1 liegt in %2 und wurde vom %4 zum %5 um %3 kleiner, %6 tiefer</translation>
+    </message>
+    <message>
+        <source>on %1 %2 of the natural ground %3 lay bare where %4 had been on %5, %6 lower</source>
+        <translation>am %1 lagen %2 des Anstehenden %3 frei, wo am %5 %4 gewesen war, %6 tiefer</translation>
+    </message>
+    <message>
+        <source>%1 first showed on %2, in %3 where %4 had been on %5: was it covered by %6, or was it there already and seen too late? Look at the section</source>
+        <translation>%1 zeigte sich zuerst am %2, auf %3, wo am %5 %4 gewesen war: lag %6 darüber, oder war es schon da und wurde zu spät gesehen? Ein Blick ins Profil hilft</translation>
+    </message>
+    <message>
+        <source>%1 grew into %2 by %3 from %4 to %5: is it covered by %6, or undercut into it? Look at the section</source>
+        <translation>%1 wuchs vom %4 zum %5 um %3 in %2 hinein: liegt %6 darüber, oder ist es hineinunterschnitten? Ein Blick ins Profil hilft</translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 came out where %4 had been on %5, and one of the two is built: which was there first?</source>
+        <translation>am %1 kamen %2 von %3 zutage, wo am %5 %4 gewesen war, und eines von beiden ist gebaut: was war zuerst da?</translation>
+    </message>
+    <message>
+        <source>on %1 %2 of the cut %3 lay below where %4 had been on %5: did %6 lie in or over it, or was it the roof of a hollow that reaches under it?</source>
+        <translation>am %1 lagen %2 des Eingriffs %3 unter der Stelle, wo am %5 %4 gewesen war: lag %6 darin oder darüber, oder war es die Decke eines Hohlraums, der darunter reicht?</translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 lay where %4 had been on %5, but only along the outlines: did they touch there?</source>
+        <translation>am %1 lagen %2 von %3, wo am %5 %4 gewesen war, aber nur entlang der Umrisse: berührten sie sich dort?</translation>
+    </message>
+    <message>
+        <source>%1; the record puts %2 above %3: one of the two is wrong</source>
+        <translation>%1; die Aufnahme setzt %2 über %3: eines von beiden ist falsch</translation>
+    </message>
+    <message>
+        <source>%1 January %2</source>
+        <translation>%1. Januar %2</translation>
+    </message>
+    <message>
+        <source>%1 February %2</source>
+        <translation>%1. Februar %2</translation>
+    </message>
+    <message>
+        <source>%1 March %2</source>
+        <translation>%1. März %2</translation>
+    </message>
+    <message>
+        <source>%1 April %2</source>
+        <translation>%1. April %2</translation>
+    </message>
+    <message>
+        <source>%1 May %2</source>
+        <translation>%1. Mai %2</translation>
+    </message>
+    <message>
+        <source>%1 June %2</source>
+        <translation>%1. Juni %2</translation>
+    </message>
+    <message>
+        <source>%1 July %2</source>
+        <translation>%1. Juli %2</translation>
+    </message>
+    <message>
+        <source>%1 August %2</source>
+        <translation>%1. August %2</translation>
+    </message>
+    <message>
+        <source>%1 September %2</source>
+        <translation>%1. September %2</translation>
+    </message>
+    <message>
+        <source>%1 October %2</source>
+        <translation>%1. Oktober %2</translation>
+    </message>
+    <message>
+        <source>%1 November %2</source>
+        <translation>%1. November %2</translation>
+    </message>
+    <message>
+        <source>%1 December %2</source>
+        <translation>%1. Dezember %2</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,13 @@
             <numerusform>%n patches outside all outlines left out</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n file(s) removed, %1 MB</source>
+        <translation>
+            <numerusform>%n file removed, %1 MB</numerusform>
+            <numerusform>%n files removed, %1 MB</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ProblemListModel</name>
@@ -42,6 +49,16 @@
         <translation>
             <numerusform>; %n change since</numerusform>
             <numerusform>; %n changes since</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SpaceView</name>
+    <message numerus="yes">
+        <source>%n frame(s) written</source>
+        <translation>
+            <numerusform>%n frame written</numerusform>
+            <numerusform>%n frames written</numerusform>
         </translation>
     </message>
 </context>

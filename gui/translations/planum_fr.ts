@@ -121,6 +121,161 @@
     </message>
 </context>
 <context>
+    <name>evidence</name>
+    <message>
+        <source>upper one dug</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>area [m²]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower one dug</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by years</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>earlier one not before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>later one not after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>close together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other unit [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to be removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>σ of the place [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>σ of the turn [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thickness [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>top [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>years</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>export</name>
     <message>
         <source>wrote %1</source>
@@ -139,6 +294,37 @@
     </message>
     <message>
         <source>No copy of the project could be kept: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::BoxPanel</name>
+    <message>
+        <source>West to east</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>South to north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut nothing away</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -474,6 +660,33 @@
         <source>Discard registration %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Cleaning the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was removed: the project file itself is not sound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) removed, %1 MB</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the project file is %1 MB shorter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrote %1: %2 points</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::JobSign</name>
@@ -697,6 +910,26 @@
         <source>   – closes a circle</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not testable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which lines surfaces, sections and levels confirm or contradict</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::NoticeBar</name>
@@ -916,6 +1149,26 @@
     </message>
     <message>
         <source>Writing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section between two points …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section between two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From x y [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To x y [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A place is two numbers: x and y in metres.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1217,6 +1470,42 @@
         <source>Shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Make a sample dig …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print the matrix …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No matrix is drawn that could be printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>small: 12 units, half a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>medium: 40 units, minutes, 600 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a sample dig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New folder for the sample dig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making a sample dig</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ProofPicture</name>
@@ -1492,6 +1781,14 @@
         <source>Looking up a point</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The 3D view needs a display; the program runs without one (%1). All other views work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::SpaceModel</name>
@@ -1552,6 +1849,65 @@
     </message>
     <message>
         <source>The trench (F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) written</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut away what lies in front, above or behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place a camera here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the flight …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget the cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flight along placed cameras, as numbered pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames from camera to camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for the frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1821,6 +2177,46 @@
         <source>wrote %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Verify and clean up …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of a region …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify and clean up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept points, pictures and heights that nothing uses any more are removed. The record, the scans themselves and all that can be taken back stay as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clean up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no outline yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of a region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points (*.ply)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::UnitCardModel</name>
@@ -1987,9 +2383,687 @@
     </message>
 </context>
 <context>
+    <name>print</name>
+    <message>
+        <source>Print the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>reason</name>
     <message>
         <source>Reason, for those who read it in ten years</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sentences</name>
+    <message>
+        <source>%1 covers %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cuts %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fills %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 abuts %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bonds with %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is the same as %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 borders %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is later than %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is contemporary with %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 steps more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 BCE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 CE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terminus post quem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terminus ante quem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terminus post quem %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terminus ante quem %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>period %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase %1 of period %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (from %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (until %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 for %3?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (two units under one number?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units lie above one another in a circle: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units lie above one another in a circle once same-as is applied: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; nothing in the record tells which of these is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; most suspect: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, yet same-as makes the two one unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without it the two are two units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit cannot lie above itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in its favour: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every circle passes through %1, and no single relation breaks them all: probably two units under one number, to be split</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no circle is left when %1 and %2 are two units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without it some circles are gone, but not all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without it no circle is left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is one of %1 relations without which no circle is left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>doubting it instead would do as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>doubting it instead would also break a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is probably meant instead of %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sheet of %1 states this relation with %2, whose own sheet names %3 instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, one slip of the pen away, lies nearer to %2 and would close no circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both sheets state it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only one of the two sheets states it, where most relations stand on both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only one of the two sheets states it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the upper unit was dug first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lower unit was dug before the upper one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numbers of this site grow downwards as a rule, here it is the other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the numbers follow each other as on the rest of the site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levels lie the other way round than between such units as a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levels lie as they should</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two units lie far apart in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two units lie close together in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two numbers are further apart than those of units that touch as a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two numbers are close together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cut or fill is hard to see the wrong way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which of two deposits leans on the other is easily mistaken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaning and age alone are weaker observations than covering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is marked as uncertain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the kinds of the two units do not fit it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levels of the two units exclude it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levels of the two units confirm it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the dates of the two units exclude it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the dates of the two units agree with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the phases of the two units exclude it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the phases of the two units agree with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recorded surfaces show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recorded surfaces show the opposite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another sheet, one slip of the pen away, states what this one seems to mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a correlation across a gap, not one unit seen twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two units lie in different areas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two units are of different kinds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the dates of the two units exclude each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a unit cannot lie above itself; probably another number was meant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, and %2: one of the two is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, yet %2 puts one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: one contact stated as two kinds; the order is the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is written twice on one sheet (lines %2 and %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 follows from other relations; it is kept as evidence and left out of the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 relations follow from others; they are kept as evidence and left out of the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its base at %2 lies %3 above its top at %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, measured at the same place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but the %2 of %3 (%4) is %5 higher than the %6 of %7 (%8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but the %2 of %3 (%4) is %5 lower than the %6 of %7 (%8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highest level on top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lowest level at the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deepest level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find %1 is recorded in %2, which is a cut and can hold nothing; it belongs to a fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find %1 at %2 lies %3 above the top of %4 (%5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find %1 at %2 lies %3 below the base of %4 (%5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but in the section %2 lies on %3 along %4 m: the relation is the wrong way round, or an outline carries the wrong number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but over %2 m² %3 lay above %4, which came out %5 m lower: the relation is the wrong way round, or an outline carries the wrong number, or %6 was dug before %7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>levels do not decide it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>levels agree, which proves nothing for a cut or a fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no levels of one of the units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no levels of either unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>abutting says nothing about heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stated in time only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levels of one unit contradict themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the find may be intrusive, or the relation wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sample may be intrusive, or the relation wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of the dates or the relation is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but %2 is not later than %3 (%4) and %5 not earlier than %6 (%7): %8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds dates that exclude each other: not earlier than %2 (%3), not later than %4 (%5); %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but %2 belongs to %3 and %4 to %5, which is later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but %2 was dug out on %3, before %4 was dug on %5: the relation, a date or the sequence of digging is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is recorded as %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is recorded as %2 and %3 as %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; only a cut or a feature cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; a cut fills nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; only cuts, features and structures are filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; only what was built bonds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; a cut has no body that could lie or lean on anything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deposit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skeleton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a fill, but no cut is named that it fills</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a cut, but nothing is recorded that fills it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a cut, but nothing is recorded that it cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but %2 is natural ground; nothing made by people lies below it unless it was moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number %1 is given to %2 units (%3), though numbers are unique on this site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stands in area %2, whose numbers run from %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 relations stand on one of the two sheets only, among them: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is named in a relation (%2) but has no sheet of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the %2 of %3 is %4 here and was %5 before; the first is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stands in no order to any other unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units stand in no order to any other unit, among them %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans are not on the site grid (planum register), among them %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans are placed poorly, among them %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units are named in relations but have no sheet of their own, among them %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stands where it does only to %2 mm and %3 degrees: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run says no more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 lay bare where %4 had been on %5, %6 lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 of the cut %3 lay bare where %4 had been on %5, %6 lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cut %1 was empty on %2; on %3 %4 of %5 lay %6 below its bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 lay bare where %4 had been on %5, too little lower for the heights to tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 to %2 the line between %3 and %4 moved into %5 over %6 while the ground went down %7: %8 dips flat under %9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where %1 was on %2, %3 of %4 came out on %5, %6 lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2 and became smaller by %3 from %4 to %5, %6 lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 of the natural ground %3 lay bare where %4 had been on %5, %6 lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 first showed on %2, in %3 where %4 had been on %5: was it covered by %6, or was it there already and seen too late? Look at the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 grew into %2 by %3 from %4 to %5: is it covered by %6, or undercut into it? Look at the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 came out where %4 had been on %5, and one of the two is built: which was there first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 of the cut %3 lay below where %4 had been on %5: did %6 lie in or over it, or was it the roof of a hollow that reaches under it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 of %3 lay where %4 had been on %5, but only along the outlines: did they touch there?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the record puts %2 above %3: one of the two is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 January %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 February %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 March %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 April %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 May %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 June %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 July %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 August %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 September %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 October %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 November %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 December %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2,11 +2,15 @@
 #include "gui/viewmodels/inquiry.hpp"
 
 #include <functional>
+#include <memory>
 #include <set>
 #include <utility>
 
 #include "app/checks/interpretation_diff.hpp"
+#include "app/project/clean.hpp"
 #include "app/regions/ready_patches.hpp"
+#include "app/regions/region_names.hpp"
+#include "app/regions/region_ply.hpp"
 #include "app/registration/registration_report.hpp"
 #include "app/registration/registration_runs.hpp"
 #include "app/scans/verify_scans.hpp"
@@ -136,6 +140,48 @@ void Inquiry::verify() {
         for (const app::ScanProblem& problem : app::verify_scans(project, progress)) add(problem.where, problem.what);
         if (answer.lines.isEmpty()) answer.lines << tr("no problem found in the file, its scans and their points");
         return answer;
+    });
+}
+
+// What looks useless in a damaged project may be what a rescue needs: that is left alone.
+void Inquiry::clean() {
+    auto answer = std::make_shared<Answer>();
+    answer->title = tr("Cleaning the project");
+    workspace_.work(
+        answer->title,
+        [answer](app::Project& project, Progress& progress) {
+            for (const auto& problem : project.file().verify(progress)) {
+                answer->lines << QStringLiteral("%1: %2").arg(qt(problem.where), qt(problem.what));
+            }
+            if (!answer->lines.isEmpty()) {
+                answer->lines << tr("nothing was removed: the project file itself is not sound");
+                return;
+            }
+            const app::Cleaned cleaned = app::clean_project(project, {}, progress);
+            answer->lines << tr("%n file(s) removed, %1 MB", nullptr, static_cast<int>(cleaned.removed.size()))
+                                 .arg(static_cast<double>(cleaned.removed_bytes) / 1e6, 0, 'f', 1);
+            answer->lines << tr("the project file is %1 MB shorter")
+                                 .arg(static_cast<double>(cleaned.freed_bytes) / 1e6, 0, 'f', 1);
+            for (const auto& file : cleaned.removed) answer->lines << qt(file.string());
+        },
+        [this, answer] { emit answered(*answer); });
+}
+
+QStringList Inquiry::regions() const {
+    QStringList names;
+    if (!workspace_.is_open()) return names;
+    const app::Snapshot& now = *workspace_.snapshot();
+    for (const std::size_t at : app::regions_in_order(now.record(), now.index())) {
+        names << qt(app::region_name(now.record(), now.index(), now.record().regions[at]));
+    }
+    return names;
+}
+
+void Inquiry::write_region_points(const QString& region, const std::filesystem::path& ply) {
+    ask(tr("Points of %1").arg(region), [region, ply](app::Project& project, Progress& progress) {
+        const model::Region found = app::region_named(project, region.toStdString());
+        const std::int64_t points = app::write_region_points(project, found, ply, progress);
+        return Answer{{}, {tr("wrote %1: %2 points").arg(qt(ply.string())).arg(points)}, {}, {}};
     });
 }
 

@@ -5,6 +5,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -35,8 +36,15 @@ class Inquiry : public QObject {
     /// On which something was recorded or scanned, the newest first.
     [[nodiscard]] QStringList days() const;
 
+    /// Regions as lists call them, `2025-06-01/1005#1`.
+    [[nodiscard]] QStringList regions() const;
+
     /// File, scans and point stores, deeply.
     void verify();
+    /// The same, and where the file is sound what is kept for nothing is removed.
+    void clean();
+    /// The points of a region as PLY, in site coordinates.
+    void write_region_points(const QString& region, const std::filesystem::path& ply);
     void compare_readings(const QString& first, const QString& second);
     void compare_runs(const QString& first, const QString& second);
     /// `surface` as lists call it; empty: the last one of each area.

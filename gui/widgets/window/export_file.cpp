@@ -107,9 +107,15 @@ QString write_section_file(app::Project& project, const std::filesystem::path& f
     const auto found =
         std::find_if(sections.begin(), sections.end(), [&](const model::Section& one) { return one.name == section; });
     if (found == sections.end()) throw Error(ErrorCode::NotFound, "no section " + section);
+    return write_free_section_file(project, file, found->from_in_site, found->to_in_site, scale, progress);
+}
+
+QString write_free_section_file(app::Project& project, const std::filesystem::path& file,
+                                const std::array<double, 2>& from_in_site, const std::array<double, 2>& to_in_site,
+                                double scale, Progress& progress) {
     app::SectionRequest request;
-    request.from = found->from_in_site;
-    request.to = found->to_in_site;
+    request.from = from_in_site;
+    request.to = to_in_site;
     write_sheet(app::section_sheet(project, request, progress).sheet, file, scale, progress);
     return wrote(file);
 }

@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -29,5 +30,11 @@ namespace planum::gui {
 /// The same of a section, by its name. Throws as app::section_sheet(), NotFound for the name, Usage for another ending.
 [[nodiscard]] QString write_section_file(app::Project& project, const std::filesystem::path& file,
                                          const std::string& section, double scale, Progress& progress);
+
+/// The same between any two places of the site [m]. Throws as app::section_sheet(), Usage for another ending.
+[[nodiscard]] QString write_free_section_file(app::Project& project, const std::filesystem::path& file,
+                                              const std::array<double, 2>& from_in_site,
+                                              const std::array<double, 2>& to_in_site, double scale,
+                                              Progress& progress);
 
 } // namespace planum::gui

@@ -25,6 +25,7 @@ class PaperMenu : public QMenu {
     void ask_report();
     void ask_plan();
     void ask_section();
+    void ask_free_section();
     /// Asks for the file, then writes it in a thread.
     void write(const QString& title, const QString& filter, Write how);
 

@@ -9,11 +9,16 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/demo/demo_job.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/choice_dialog.hpp"
+#include "gui/widgets/matrix/matrix_print.hpp"
+#include "gui/widgets/matrix/matrix_view.hpp"
 #include "gui/widgets/window/export_file.hpp"
 #include "gui/widgets/window/import_dialog.hpp"
 #include "gui/widgets/window/main_window.hpp"
 #include "gui/widgets/window/paper_menu.hpp"
+#include "paint/font_measure.hpp"
 
 namespace planum::gui {
 
@@ -32,6 +37,7 @@ DayJobs::Files paths(const QStringList& files) {
 
 ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project"), &window), window_(window) {
     auto* recent_menu = addMenu(tr("Recent projects"));
+    addAction(tr("Make a sample dig …"), this, &ProjectMenu::ask_demo)->setObjectName(QStringLiteral("makeDemo"));
     connect(recent_menu, &QMenu::aboutToShow, this, [this, recent_menu] { fill_recent(recent_menu); });
     addSeparator();
     QAction* import = addAction(tr("Import lists …"), this, [this] {
@@ -57,6 +63,15 @@ ProjectMenu::ProjectMenu(MainWindow& window) : QMenu(tr("Project"), &window), wi
     QAction* write = addAction(tr("Export or print …"), this, &ProjectMenu::ask_export);
     write->setObjectName(QStringLiteral("export"));
     write->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+    QAction* print = addAction(tr("Print the matrix …"), this, [this] {
+        const auto* matrix = dynamic_cast<MatrixView*>(window_.view("matrix"));
+        if (matrix == nullptr || matrix->drawing() == nullptr) {
+            return window_.models().workspace.say(tr("No matrix is drawn that could be printed."));
+        }
+        print_matrix(*matrix, &window_);
+    });
+    print->setObjectName(QStringLiteral("printMatrix"));
+    print->setShortcut(QKeySequence::Print);
     addMenu(new PaperMenu(window_));
     addAction(tr("Backup …"), this, [this] {
         const QString file = QFileDialog::getSaveFileName(&window_, tr("Backup"), {}, tr("Planum projects (*.gpkg)"));
@@ -120,6 +135,30 @@ void ProjectMenu::ask_export() {
         tr("Matrix (*.pdf *.svg *.png);;Report (*.xml *.html);;For other programs (*.csv *.json *.lst *.hmcx *.graphml "
            "*.dot *.geojson *.ttl *.xlsx *.dxf *.oxcal)"));
     if (!file.isEmpty()) export_to(file.toStdString());
+}
+
+void ProjectMenu::ask_demo() {
+    const QString small = tr("small: 12 units, half a minute");
+    const QString medium = tr("medium: 40 units, minutes, 600 MB");
+    const QStringList chosen =
+        ask_choices(&window_, tr("Make a sample dig"), {{tr("Size"), {small, medium}, small, false}});
+    if (chosen.isEmpty()) return;
+    const QString folder =
+        QFileDialog::getSaveFileName(&window_, tr("New folder for the sample dig"), QStringLiteral("sample-dig"));
+    if (!folder.isEmpty()) make_demo(folder.toStdString(), chosen[0] == medium);
+}
+
+void ProjectMenu::make_demo(const std::filesystem::path& folder, bool medium) {
+    app::demo::SimulationOptions options;
+    if (medium) options.size = app::demo::DemoSize::Medium;
+    window_.models().workspace.jobs().start(
+        QStringLiteral("demo"), JobRunner::Queueing::InOrder, tr("Making a sample dig"), Job::Kind::Asked,
+        [this, folder, options](Progress& progress) -> JobRunner::Done {
+            const paint::FontTextMeasure measure;
+            const app::DemoJob made = app::run_demo_job(folder, options, {}, measure, progress);
+            return [this, made] { window_.open(made.mistaken_project, store::OpenMode::ReadWrite); };
+        },
+        [this](const QString& sentence) { window_.models().workspace.say(sentence); });
 }
 
 void ProjectMenu::export_to(const std::filesystem::path& file) {

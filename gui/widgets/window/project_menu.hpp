@@ -24,6 +24,9 @@ class ProjectMenu : public QMenu {
     /// Writes in the form that the ending names, in a thread.
     void export_to(const std::filesystem::path& file);
 
+    /// Simulates a dig in a new folder, in a thread, and opens its copy with mistakes.
+    void make_demo(const std::filesystem::path& folder, bool medium);
+
     /// Newest first; those that are gone are left out.
     [[nodiscard]] static QStringList recent();
 
@@ -32,6 +35,7 @@ class ProjectMenu : public QMenu {
     void fill_recent(QMenu* menu);
     QStringList ask_files(const QString& title, const QString& filter);
     void ask_export();
+    void ask_demo();
 
     MainWindow& window_;
 };

@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -24,12 +25,14 @@ ToolsMenu::ToolsMenu(MainWindow& window) : QMenu(tr("Tools"), &window), window_(
         addAction(text, this, what)->setObjectName(QString::fromLatin1(name));
     };
     add("verify", tr("Verify the project"), [&inquiry] { inquiry.verify(); });
+    add("cleanProject", tr("Verify and clean up …"), [this] { clean(); });
     add("compareReadings", tr("Compare readings …"), [this] { compare_readings(); });
     add("findPatches", tr("Ground not outlined yet"), [this] {
         const TimeModel& time = window_.models().time;
         const int at = time.current();
         window_.models().inquiry.find_patches(at < 0 ? QString() : time.stops()[static_cast<std::size_t>(at)].name);
     });
+    add("regionPoints", tr("Points of a region …"), [this] { write_region_points(); });
     addSeparator();
     add("compareRuns", tr("Compare registrations …"), [this] { compare_runs(); });
     add("acceptRun", tr("Accept a registration …"), [this] { choose_run(tr("Accept a registration"), true); });
@@ -41,6 +44,29 @@ ToolsMenu::ToolsMenu(MainWindow& window) : QMenu(tr("Tools"), &window), window_(
     connect(&window_.models().workspace, &Workspace::opened, this, enable);
     connect(&window_.models().workspace, &Workspace::closed, this, enable);
     enable();
+}
+
+// What was kept only to be made again is removed; that is not undone, so it is said before.
+void ToolsMenu::clean() {
+    QMessageBox box(
+        QMessageBox::Question, tr("Verify and clean up"),
+        tr("Kept points, pictures and heights that nothing uses any more are removed. The record, the scans "
+           "themselves and all that can be taken back stay as they are."),
+        QMessageBox::Cancel, &window_);
+    const QPushButton* go = box.addButton(tr("Clean up"), QMessageBox::AcceptRole);
+    box.exec();
+    if (box.clickedButton() == go) window_.models().inquiry.clean();
+}
+
+void ToolsMenu::write_region_points() {
+    const QStringList names = window_.models().inquiry.regions();
+    if (names.isEmpty()) return window_.models().workspace.say(tr("There is no outline yet."));
+    const QStringList one =
+        ask_choices(&window_, tr("Points of a region"), {{tr("Region"), names, names.front(), false}});
+    if (one.isEmpty()) return;
+    const QString file =
+        QFileDialog::getSaveFileName(&window_, tr("Points of %1").arg(one[0]), {}, tr("Points (*.ply)"));
+    if (!file.isEmpty()) window_.models().inquiry.write_region_points(one[0], file.toStdString());
 }
 
 void ToolsMenu::compare_readings() {

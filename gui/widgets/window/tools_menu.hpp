@@ -17,6 +17,8 @@ class ToolsMenu : public QMenu {
     explicit ToolsMenu(MainWindow& window);
 
   private:
+    void clean();
+    void write_region_points();
     void compare_readings();
     void compare_runs();
     void choose_run(const QString& what, bool accept);
