@@ -258,6 +258,7 @@ void bench_panorama(const Scratch& folder) {
         for (int run = 0; run < 3; ++run) {
             best = std::min(best, seconds_of([&] {
                                 PanoramaBuilder builder(options, {true, false, false, false});
+                                builder.expect(cloud.size());
                                 builder.add(cloud);
                                 const Panorama panorama = builder.finish(Progress::none());
                                 bytes = panorama.list_bytes();

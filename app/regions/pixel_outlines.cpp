@@ -169,6 +169,7 @@ scans::Panorama panorama_of(const PlacedScan& placed, const scans::ProjectionOpt
     scans::PanoramaOptions options;
     options.projection = projection;
     scans::PanoramaBuilder builder(options, {});
+    builder.expect(placed.store->points());
     placed.store->for_each([&](const scans::FoundPoints& found) { builder.add(found.points); }, progress);
     return builder.finish(progress);
 }

@@ -35,6 +35,7 @@ scans::PanoramaOptions panorama_options(std::uint64_t points) {
 scans::FeatureSet features_of(const scans::PointStore& store) {
     const scans::Columns has = store.info().has;
     scans::PanoramaBuilder builder(panorama_options(store.points()), {has.intensity, has.colour, false, false});
+    builder.expect(store.points());
     store.for_each([&](const scans::FoundPoints& found) { builder.add(found.points); }, Progress::none());
     const scans::Panorama panorama = builder.finish(Progress::none());
     scans::FeatureSet features;

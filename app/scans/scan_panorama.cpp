@@ -46,6 +46,7 @@ scans::Panorama scan_panorama(const scans::PointStore& store, const scans::ScanE
     scans::PanoramaOptions options;
     options.projection = frame_of(extent, request);
     scans::PanoramaBuilder builder(options, store.info().has);
+    builder.expect(store.points());
     progress.step("unrolling " + store.info().name);
     store.for_each([&](const scans::FoundPoints& found) { builder.add(found.points); }, progress);
     return builder.finish(progress);

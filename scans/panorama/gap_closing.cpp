@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/large_pages.hpp"
+
 namespace planum::scans {
 
 namespace {
@@ -54,7 +56,7 @@ class Closing {
     const GapOptions& options_;
     std::size_t width_;
     std::size_t height_;
-    std::vector<std::uint32_t> front_; ///< nearest point of each pixel
+    LargeVector<std::uint32_t> front_; ///< nearest point of each pixel
     std::vector<ClosedPixel> closed_;
 };
 
@@ -136,7 +138,7 @@ void Closing::along_grid() {
     const std::size_t columns = *std::max_element(points_.column.begin(), points_.column.end()) + std::size_t{1};
     // A grid that is nearly empty is not worth a table.
     if (columns > (8 * points_.row.size() + (1U << 20U)) / rows) return;
-    std::vector<std::uint32_t> at(rows * columns, kNothing);
+    LargeVector<std::uint32_t> at(rows * columns, kNothing);
     for (std::uint32_t i = 0; i < points_.row.size(); ++i) {
         std::uint32_t& best = at[points_.row[i] * columns + points_.column[i]];
         if (best == kNothing || points_.range[i] < points_.range[best]) best = i;

@@ -13,7 +13,9 @@ namespace planum::scans {
 namespace {
 
 constexpr std::uint64_t kMostPoints = 0xFFFFFFF0ULL;
+constexpr std::uint64_t kMostExpected = 100'000'000;
 constexpr std::size_t kFewestForPlane = 5;
+constexpr std::size_t kPiece = 16384;  ///< points that the columns grow by
 constexpr std::size_t kPortion = 1024; ///< points added at once: what is known of them stays in the cache
 
 bool agree(float a, float b, double share) noexcept {
@@ -29,13 +31,31 @@ PanoramaBuilder::PanoramaBuilder(const PanoramaOptions& options, Columns has) : 
 void PanoramaBuilder::add(const PointBlock& block) {
     const std::size_t size = block.size();
     if (size > kMostPoints - added_) throw Error(ErrorCode::BadInput, "a panorama holds at most 4,294 million points");
-    // Grown by whole blocks and cut back, so that nothing is asked point by point.
+    // Grown by whole pieces and cut back, so that nothing is asked point by point and what is made is still in the
+    // cache when it is filled.
     std::size_t to = pixels_.size();
-    resize(to + size);
-    for (std::size_t from = 0; from < size; from += kPortion) {
-        to = add_portion(block, from, std::min(size, from + kPortion), to);
+    for (std::size_t from = 0; from < size; from += kPiece) {
+        const std::size_t until = std::min(size, from + kPiece);
+        resize(to + until - from);
+        for (std::size_t at = from; at < until; at += kPortion) {
+            to = add_portion(block, at, std::min(until, at + kPortion), to);
+        }
+        resize(to);
     }
-    resize(to);
+}
+
+void PanoramaBuilder::expect(std::uint64_t points) {
+    // What a header claims is believed only so far; beyond that memory grows with what really comes.
+    const std::size_t size = pixels_.size() + static_cast<std::size_t>(std::min(points, kMostExpected));
+    Panorama& p = panorama_;
+    pixels_.reserve(size);
+    p.places_.reserve(size);
+    p.ranges_.reserve(size);
+    p.sources_.reserve(size);
+    if (p.has_.intensity) p.intensities_.reserve(size);
+    if (p.has_.colour) p.colours_.reserve(size);
+    if (keep_grid()) rows_.reserve(size);
+    if (keep_grid()) columns_.reserve(size);
 }
 
 void PanoramaBuilder::resize(std::size_t size) {

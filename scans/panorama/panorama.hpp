@@ -13,6 +13,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/large_pages.hpp"
 #include "core/base/progress.hpp"
 #include "scans/formats/cloud_header.hpp"
 #include "scans/formats/point_block.hpp"
@@ -56,9 +57,9 @@ class PixelLists {
     static constexpr std::size_t kGroup = 64; ///< pixels that share a start
 
     std::vector<std::uint32_t> starts_;                          ///< of each group, into entries_
-    std::vector<std::uint8_t> counts_;                           ///< 255: look into large_
+    LargeVector<std::uint8_t> counts_;                           ///< 255: look into large_
     std::vector<std::pair<std::uint32_t, std::uint32_t>> large_; ///< (pixel, count), sorted
-    std::vector<std::uint32_t> entries_;
+    LargeVector<std::uint32_t> entries_;
 
     [[nodiscard]] std::uint32_t count_of(std::size_t pixel) const noexcept;
     void sort(std::span<const std::uint32_t> ends, std::span<const float> ranges);
@@ -111,17 +112,20 @@ class Panorama {
     PanoramaOptions options_;
     Columns has_;
     PixelLists lists_;
-    std::vector<std::array<float, 3>> places_;
-    std::vector<float> ranges_;
-    std::vector<std::uint32_t> sources_;
-    std::vector<std::uint16_t> intensities_;
-    std::vector<Rgb> colours_;
+    LargeVector<std::array<float, 3>> places_;
+    LargeVector<float> ranges_;
+    LargeVector<std::uint32_t> sources_;
+    LargeVector<std::uint16_t> intensities_;
+    LargeVector<Rgb> colours_;
 };
 
 /// Makes a panorama from a stream of points, in any order.
 class PanoramaBuilder {
   public:
     PanoramaBuilder(const PanoramaOptions& options, Columns has);
+
+    /// Room for so many points at once, where their number is known before; only a matter of speed.
+    void expect(std::uint64_t points);
 
     /// Takes the valid points of a block. Throws BadInput over 4 thousand million points.
     void add(const PointBlock& block);
@@ -135,9 +139,9 @@ class PanoramaBuilder {
     std::size_t add_portion(const PointBlock& block, std::size_t from, std::size_t until, std::size_t to);
 
     Panorama panorama_;
-    std::vector<std::uint32_t> pixels_; ///< of each point
-    std::vector<std::uint32_t> rows_;   ///< of the scanner's grid, where gaps are closed along it
-    std::vector<std::uint32_t> columns_;
+    LargeVector<std::uint32_t> pixels_; ///< of each point
+    LargeVector<std::uint32_t> rows_;   ///< of the scanner's grid, where gaps are closed along it
+    LargeVector<std::uint32_t> columns_;
     std::uint64_t added_ = 0;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 /// The value below which `share` of all lie.
 template<class T>
-T quantile(std::vector<T> values, double share) {
+T quantile(LargeVector<T> values, double share) {
     if (values.empty()) return T{};
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());

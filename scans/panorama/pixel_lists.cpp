@@ -7,7 +7,7 @@ namespace planum::scans {
 
 PixelLists::PixelLists(std::size_t pixels, std::span<const std::uint32_t> pixel_of_point,
                        std::span<const ClosedPixel> closed, std::span<const float> ranges) {
-    std::vector<std::uint32_t> next(pixels + 1);
+    LargeVector<std::uint32_t> next(pixels + 1);
     for (const std::uint32_t pixel : pixel_of_point) ++next[pixel + 1];
     for (const ClosedPixel& c : closed) ++next[c.pixel + 1];
     counts_.resize(pixels);

@@ -89,12 +89,19 @@ class Projection {
         double v = -1.0;
     };
 
+    [[nodiscard]] double right_of(double x, double y) const noexcept; ///< [rad] from the left border
+    template<ProjectionKind K>
+    [[nodiscard]] Pixel locate_in_view(int view, const Plane& middle, double x, double y, double z) const noexcept;
     template<ProjectionKind K>
     [[nodiscard]] Pixel locate(double x, double y, double z) const noexcept;
     static constexpr std::size_t kPortion = 256; ///< points located at once
     struct Portion;
     template<ProjectionKind K>
+    void locate_each(Portion& __restrict portion) const noexcept;
+    template<ProjectionKind K>
     void locate_portion(Portion& portion) const noexcept;
+    template<ProjectionKind K>
+    void locate_portion_wide(Portion& portion) const noexcept; ///< where the processor can
     [[nodiscard]] bool holds(const Pixel& pixel) const noexcept;
     [[nodiscard]] std::uint32_t index_at(const Pixel& pixel) const noexcept; ///< or kOutside
     [[nodiscard]] double elevation_of(double height) const noexcept;

@@ -32,3 +32,24 @@ TEST_CASE("The quick angle knows the axes, and no direction at all") {
     CHECK(quick_atan2(-3.0, 0.0) == Approx(-pi / 2.0).epsilon(1e-15));
     CHECK(quick_atan2(1e-200, 1e-200) == Approx(pi / 4.0).epsilon(1e-13));
 }
+
+TEST_CASE("The quick sine and logarithm are those of the library") {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> part(-1.0, 1.0);
+    double worst_sine = 0.0;
+    double worst_log = 0.0;
+    for (int i = 0; i < 200000; ++i) {
+        const double angle = 1.2567 * part(random);
+        worst_sine = std::max(worst_sine, std::abs(quick_sin(angle) - std::sin(angle)));
+        // Half of them close to 1, where a logarithm loses what its argument lost.
+        const double x = i % 2 == 0 ? std::pow(10.0, 200.0 * part(random)) : 1.0 + 0.5 * part(random);
+        worst_log = std::max(worst_log, std::abs(quick_log(x) - std::log(x)) / std::max(1.0, std::abs(std::log(x))));
+    }
+    CHECK(worst_sine < 1e-15);
+    CHECK(worst_log < 1e-15);
+    CHECK(quick_log(1.0) == 0.0);
+    for (const double root : {std::numbers::sqrt2, 1.0 / std::numbers::sqrt2}) {
+        CHECK(quick_log(std::nextafter(root, 0.0)) == Approx(std::log(root)).epsilon(1e-14));
+        CHECK(quick_log(std::nextafter(root, 2.0)) == Approx(std::log(root)).epsilon(1e-14));
+    }
+}
