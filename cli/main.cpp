@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <csignal>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 
 int main(int argc, char** argv) {
     if (const auto status = planum::strat::run_layout_worker_if_asked(argc, argv)) return *status;
+    // A file over the limit set for its size is then an error that is told, as a full disk is, and cleaned up after.
+    std::signal(SIGXFSZ, SIG_IGN);
     std::ios::sync_with_stdio(false);
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const int status = planum::cli::run_command_line(arguments, std::cout, std::cerr);

@@ -68,8 +68,10 @@ void add_panorama_commands(CLI::App& root, Context& context) {
         ->capture_default_str();
     panorama->add_option("--channel", options->request.channel,
                          "reflectance, range, colour or normals (default: the first the scan has)");
-    panorama->add_option("--width", options->request.width,
-                         "pixels across (default: one for each cell of the scanner's grid, or for a point)");
+    panorama
+        ->add_option("--width", options->request.width,
+                     "pixels across (default: one for each cell of the scanner's grid, or for a point)")
+        ->check(CLI::Range(1, 100000));
     panorama->add_option("--views", options->request.views,
                          "pictures side by side in rectilinear, pannini and stereographic (default: as needed)");
     panorama->callback([&context, options] { run_panorama(context, *options); });

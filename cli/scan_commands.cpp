@@ -37,7 +37,11 @@ ordered_json to_json(const app::AddScansReport& report) {
                          {"notes", one.notes}});
     }
     ordered_json there = ordered_json::array();
-    for (const app::ScanThere& one : report.there_already) there.push_back({{"file", one.file}, {"scan", one.scan}});
+    for (const app::ScanThere& one : report.there_already) {
+        there.push_back({{"file", one.file},
+                         {"scan", one.scan},
+                         {"moved_from", one.moved.empty() ? ordered_json(nullptr) : ordered_json(one.moved)}});
+    }
     return {{"added", added}, {"there_already", there}, {"left_aside", report.left_aside}};
 }
 
@@ -55,13 +59,16 @@ void run_add(const Context& context, const AddOptions& options) {
     }
     for (const app::ScanThere& one : report.there_already) {
         out << fmt::format("{} is in the project already, as {}\n", one.file, one.scan);
+        if (!one.moved.empty()) {
+            out << fmt::format("its original was no longer at {}; it is looked for here from now on\n", one.moved);
+        }
         if (options.add.columns.empty()) continue;
         out << fmt::format("to read its columns otherwise, take it out first: planum scan delete SITE {}\n", one.scan);
     }
     if (context.verbose) {
         for (const std::string& line : report.left_aside) out << line << '\n';
     }
-    if (report.added.empty()) out << "nothing new: the project is as it was\n";
+    if (report.change == 0) out << "nothing new: the project is as it was\n";
 }
 
 ordered_json numbers_or_null(const app::ListedScan& scan) {

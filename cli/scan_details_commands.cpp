@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/context.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scans/scan_details.hpp"
+#include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
 
@@ -200,6 +202,13 @@ void run_show(const Context& context, const std::string& name) {
 void run_image(const Context& context, const ImageOptions& options) {
     app::Project project = context.open(OpenMode::ReadOnly);
     const std::string bytes = app::scan_image(project, options.scan, options.number, *context.progress);
+    // It is written as it is, so that its name must say what it is.
+    const bool jpeg = bytes.starts_with("\xFF\xD8");
+    const std::string ending = text::fold_case(std::filesystem::path(options.output).extension().string());
+    if (jpeg ? ending != ".jpg" && ending != ".jpeg" : ending != ".png") {
+        throw Error(ErrorCode::Usage, fmt::format("{}: the image is a {} file; name it {}", options.output,
+                                                  jpeg ? "JPEG" : "PNG", jpeg ? ".jpg" : ".png"));
+    }
     write_file_atomically(options.output, bytes);
     context.say(fmt::format("wrote {}, {}", options.output, megabytes(bytes.size())));
 }

@@ -23,7 +23,9 @@ class FolderWriter {
     explicit FolderWriter(fs::path folder) : folder_(std::move(folder)) {
         std::error_code failure;
         if (fs::exists(folder_, failure) && !fs::is_empty(folder_, failure)) {
-            throw Error(ErrorCode::Conflict, folder_.string() + " is not empty; name a new folder for the sample dig");
+            throw Error(ErrorCode::Conflict, folder_.string() +
+                                                 " is not empty; name a new folder for the sample dig, or "
+                                                 "remove this one if a stopped run left it");
         }
         make(folder_);
     }

@@ -121,6 +121,7 @@ struct Plan {
 
     std::vector<File> files;
     std::vector<ScanThere> there_already;
+    std::vector<model::Scan> moved; // with the path where they are now
 };
 
 std::string day_for(const fs::path& file, const scans::CloudHeader& header, const AddScansOptions& options,
@@ -149,7 +150,7 @@ class Planner {
         progress.check();
         const std::string hash = sha256_of_file(path, progress);
         if (const auto there = by_content_.find({hash, 0}); there != by_content_.end()) {
-            plan_.there_already.push_back({path.string(), there->second});
+            plan_.there_already.push_back({path.string(), there->second, found_again(hash, path)});
             return;
         }
         progress.step("looking into " + path.filename().string());
@@ -163,6 +164,19 @@ class Planner {
     [[nodiscard]] Plan take() { return std::move(plan_); }
 
   private:
+    // Where the scans of this content were looked for, if they are no longer there; from now on they are looked for
+    // here.
+    std::string found_again(const std::string& hash, const fs::path& path) {
+        std::string missed;
+        for (const model::Scan& scan : project_.record().scans) {
+            if (scan.sha256 != hash || fs::exists(original_path(project_.path(), scan))) continue;
+            missed = scan.path;
+            plan_.moved.push_back(scan);
+            plan_.moved.back().path = path_to_keep(project_.path(), path);
+        }
+        return missed;
+    }
+
     AddedScan cloud_of(const Plan::File& file, std::size_t cloud, const std::string& hash) {
         const scans::CloudHeader& header = file.reader->clouds()[cloud];
         const scans::ScanFileInfo& info = file.reader->info();
@@ -273,7 +287,8 @@ void make_stores(const Project& project, Plan& plan, MadeStores& made, Shares& s
     }
 }
 
-std::string label_of(const std::vector<AddedScan>& added) {
+std::string label_of(const std::vector<AddedScan>& added, std::size_t moved) {
+    if (added.empty()) return fmt::format("Find {} again", moved == 1 ? "a scan" : fmt::format("{} scans", moved));
     if (added.size() == 1) return "Add scan " + added.front().scan.name;
     return fmt::format("Add {} scans", added.size());
 }
@@ -309,16 +324,17 @@ AddScansReport add_scans(Project& project, const std::vector<fs::path>& inputs, 
     }
     Plan plan = planner.take();
     report.there_already = std::move(plan.there_already);
-    if (plan.files.empty()) return report;
+    if (plan.files.empty() && plan.moved.empty()) return report;
 
     MadeStores made;
-    make_stores(project, plan, made, shares, whole);
+    if (!plan.files.empty()) make_stores(project, plan, made, shares, whole);
     for (Plan::File& file : plan.files) {
         std::move(file.clouds.begin(), file.clouds.end(), std::back_inserter(report.added));
     }
     const model::SurfaceId given = named != nullptr ? named->id : model::SurfaceId{};
     std::vector<model::Surface> surfaces = project.record().surfaces;
-    report.change = project.change(label_of(report.added), [&] {
+    report.change = project.change(label_of(report.added, plan.moved.size()), [&] {
+        for (const model::Scan& scan : plan.moved) project.file().update(scan);
         for (AddedScan& added : report.added) {
             added.scan.surface = given.is_nil() ? surface_of_day(project, surfaces, area, added.scan.day) : given;
             added.scan.id = project.file().insert(added.scan);

@@ -43,6 +43,10 @@ scans::ScanExtent scan_extent(const scans::PointStore& store, Progress& progress
 
 scans::Panorama scan_panorama(const scans::PointStore& store, const scans::ScanExtent& extent,
                               const PanoramaRequest& request, Progress& progress) {
+    if (store.points() == 0) {
+        throw Error(ErrorCode::BadInput,
+                    fmt::format("scan {} has no points: there is nothing to unroll", store.info().name));
+    }
     scans::PanoramaOptions options;
     options.projection = frame_of(extent, request);
     scans::PanoramaBuilder builder(options, store.info().has);

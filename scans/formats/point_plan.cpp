@@ -35,6 +35,8 @@ constexpr std::array kNames = {
     NamedRole{"cartesiany", Role::Y},
     NamedRole{"cartesianz", Role::Z},
     NamedRole{"intensity", Role::Intensity},
+    NamedRole{"intensität", Role::Intensity},
+    NamedRole{"intensitaet", Role::Intensity},
     NamedRole{"i", Role::Intensity},
     NamedRole{"reflectance", Role::Intensity},
     NamedRole{"reflectivity", Role::Intensity},

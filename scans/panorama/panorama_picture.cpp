@@ -25,6 +25,8 @@ T quantile(LargeVector<T> values, double share) {
     return *at;
 }
 
+constexpr double kDarkestRange = 0.85; ///< how much darker than white the farthest is
+
 // 1 … 255, so that 0 stays for "nothing".
 std::uint8_t grey(double share) noexcept {
     return static_cast<std::uint8_t>(1.0 + 254.0 * std::clamp(share, 0.0, 1.0));
@@ -89,7 +91,9 @@ Picture Panorama::picture(Channel channel) const {
     // A few very bright or far points shall not make the rest black.
     const double dark = channel == Channel::Reflectance ? quantile(intensities_, 0.01) : 0.0;
     const double bright = channel == Channel::Reflectance ? quantile(intensities_, 0.99) : 1.0;
-    const double far = channel == Channel::Range ? static_cast<double>(quantile(ranges_, 0.98)) : 1.0;
+    const double near = channel == Channel::Range ? static_cast<double>(quantile(ranges_, 0.01)) : 1.0;
+    const double far = channel == Channel::Range ? static_cast<double>(quantile(ranges_, 0.99)) : 1.0;
+    const double depth = std::log(std::max(far / near, 1.001));
     std::size_t at = 0;
     for (int row = 0; row < height(); ++row) {
         for (int column = 0; column < width(); ++column, at += static_cast<std::size_t>(picture.channels)) {
@@ -100,7 +104,12 @@ Picture Panorama::picture(Channel channel) const {
             case Channel::Reflectance:
                 picture.values[at] = grey((intensities_[front] - dark) / std::max(1.0, bright - dark));
                 break;
-            case Channel::Range: picture.values[at] = grey(1.0 - static_cast<double>(ranges_[front]) / far); break;
+            case Channel::Range:
+                // Near is bright. By the logarithm, so that a trench near the scanner has its share of the tones though
+                // a house far away is in the picture too; and never as dark as where there is nothing.
+                picture.values[at] = grey(
+                    1.0 - kDarkestRange * std::min(1.0, std::log(static_cast<double>(ranges_[front]) / near) / depth));
+                break;
             case Channel::Normals: picture.values[at] = shade(column, row); break;
             case Channel::Colour:
                 picture.values[at] = colours_[front].red;

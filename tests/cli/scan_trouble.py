@@ -58,7 +58,8 @@ def expect_as_before(before, folder, when):
 
 def full_disk(program, folder, site, scan, megabytes):
     def small_disk():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # write() then says EFBIG, as it would say ENOSPC
+        # The program itself must see to it that write() says EFBIG, as it would say ENOSPC, instead of being ended.
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
         resource.setrlimit(resource.RLIMIT_FSIZE, (megabytes << 20, megabytes << 20))
 
     before = content(folder)

@@ -292,7 +292,11 @@ TEST_CASE("Pictures show what the front points are, 0 where there is nothing") {
     // Straight at the wall is bright, along the wall is dark.
     CHECK(normals.values[44 * 360 + 180] > 240);
     CHECK(normals.values[44 * 360 + 220] < normals.values[44 * 360 + 180]);
-    CHECK(panorama.picture(Channel::Range).values[44 * 360 + 180] > 0);
+    // Near is bright, and the farthest corner of the room is far from the black of nothing.
+    const Picture range = panorama.picture(Channel::Range);
+    CHECK(range.values[44 * 360 + 180] > range.values[44 * 360 + 225]);
+    CHECK(range.values[44 * 360 + 225] > 30);
+    CHECK(range.values[44 * 360 + 50] == 0);
     PanoramaBuilder bare(options, {});
     CHECK_THROWS_WITH(static_cast<void>(bare.finish(Progress::none()).picture(Channel::Colour)),
                       Catch::Contains("no colour"));
