@@ -79,11 +79,13 @@ class Network {
     }
 
     void take_poses() {
+        find_own_noise();
         for (std::size_t scan = 0; scan < scans_; ++scan) {
             if (!is_anchored(scan)) continue;
             const std::size_t node = node_of_[scan];
             NetworkPose pose{graph_.site_from_scan[node], graph_.covariance[node], graph_.covariance[node]};
             add_held_share(pose, scan);
+            add_own_noise(pose, scan);
             result.poses[scan] = pose;
         }
         result.cost_before = graph_.cost_before;
@@ -114,7 +116,7 @@ class Network {
         }
         for (std::size_t i = 0; i < links_.size(); ++i) {
             const NetworkLink& link = links_[i];
-            if (!result.links[i].is_used || !is_anchored(link.target)) continue;
+            if (!is_in_graph(i)) continue;
             edges_.push_back(
                 {node_of_[link.target], node_of_[link.source], link.target_from_source, inverse_of(link.covariance)});
             of_edge_.push_back(&result.links[i]);
@@ -149,17 +151,91 @@ class Network {
         }
     }
 
-    /// Poses that hang on held ones err with them: with the nearest.
-    void add_held_share(NetworkPose& pose, std::size_t scan) const {
+    /// The part of the links' variance that is the scans' own: no link to the same scan averages it out, and loops
+    /// close better than the links state.
+    [[nodiscard]] double own_part() const {
+        constexpr double kBelieved = 0.5; // before any loop was seen …
+        constexpr double kWeight = 6.0;   // … and as firmly as one loop says
+        std::vector<double> held(scans_, 0.0);
+        std::vector<double> members(scans_, 0.0);
+        for (const auto& anchor : anchors_) held[part_[anchor.scan]] += anchor.is_held ? 1.0 : 0.0;
+        double freedom = 0.0;
+        double cost = 0.0;
+        for (std::size_t scan = 0; scan < scans_; ++scan) {
+            if (is_anchored(scan)) members[part_[scan]] += 1.0;
+        }
+        for (std::size_t part = 0; part < scans_; ++part) {
+            if (members[part] > 0.0) freedom -= 6.0 * (members[part] - std::max(1.0, held[part]));
+        }
+        for (std::size_t i = 0; i < links_.size(); ++i) {
+            if (!is_in_graph(i)) continue;
+            freedom += 6.0;
+            cost += result.links[i].after * result.links[i].after;
+        }
+        freedom = std::max(0.0, freedom);
+        return std::clamp(1.0 - (cost + kWeight * (1.0 - kBelieved)) / (freedom + kWeight), 0.0, 1.0);
+    }
+
+    /// Half of what its links share, on the site grid about its own origin; the links of a scan averaged by what they
+    /// know.
+    void find_own_noise() {
+        const double part = own_part();
+        std::vector<Matrix6> information(scans_, Matrix6::Zero());
+        std::vector<double> count(scans_, 0.0);
+        for (std::size_t i = 0; i < links_.size(); ++i) {
+            if (!is_in_graph(i)) continue;
+            const Rigid3& target = graph_.site_from_scan[node_of_[links_[i].target]];
+            const Rigid3& source = graph_.site_from_scan[node_of_[links_[i].source]];
+            Matrix6 turn = Matrix6::Zero();
+            turn.topLeftCorner<3, 3>() = target.rotation;
+            turn.bottomRightCorner<3, 3>() = target.rotation;
+            const Matrix6 of_source = turn * links_[i].covariance * turn.transpose();
+            information[links_[i].source] += inverse_of(of_source);
+            information[links_[i].target] +=
+                inverse_of(carried_covariance(of_source, source.translation, target.translation));
+            count[links_[i].source] += 1.0;
+            count[links_[i].target] += 1.0;
+        }
+        own_noise_.assign(scans_, Matrix6::Zero());
+        for (std::size_t scan = 0; scan < scans_; ++scan) {
+            if (count[scan] > 0.0) own_noise_[scan] = 0.5 * part * count[scan] * inverse_of(information[scan]);
+        }
+    }
+
+    [[nodiscard]] bool is_in_graph(std::size_t link) const {
+        return result.links[link].is_used && is_anchored(links_[link].target);
+    }
+
+    /// Between a scan and what it hangs on lie the noise of both.
+    void add_own_noise(NetworkPose& pose, std::size_t scan) const {
+        const NetworkAnchor* nearest = nearest_anchor(pose, scan, false);
+        if (nearest == nullptr || nearest->scan == scan) return;
+        const Eigen::Vector3d& there = graph_.site_from_scan[node_of_[nearest->scan]].translation;
+        const Matrix6 both =
+            own_noise_[scan] + carried_covariance(own_noise_[nearest->scan], there, pose.site_from_scan.translation);
+        pose.covariance += both;
+        pose.link_covariance += both;
+    }
+
+    [[nodiscard]] const NetworkAnchor* nearest_anchor(const NetworkPose& pose, std::size_t scan, bool is_held) const {
         const NetworkAnchor* nearest = nullptr;
         double least = std::numeric_limits<double>::infinity();
-        for (const auto& anchor : anchors_) {
-            if (!anchor.is_held || part_[anchor.scan] != part_[scan]) continue;
+        for (std::size_t i = 0; i < anchors_.size(); ++i) {
+            const NetworkAnchor& anchor = anchors_[i];
+            if ((is_held && !anchor.is_held) || !result.anchors[i].is_used || part_[anchor.scan] != part_[scan]) {
+                continue;
+            }
             const double distance = (anchor.site_from_scan.translation - pose.site_from_scan.translation).norm();
             if (distance >= least) continue;
             least = distance;
             nearest = &anchor;
         }
+        return nearest;
+    }
+
+    /// Poses that hang on held ones err with them: with the nearest.
+    void add_held_share(NetworkPose& pose, std::size_t scan) const {
+        const NetworkAnchor* nearest = nearest_anchor(pose, scan, true);
         if (nearest == nullptr) return;
         pose.covariance += carried_covariance(nearest->covariance, nearest->site_from_scan.translation,
                                               pose.site_from_scan.translation);
@@ -176,6 +252,7 @@ class Network {
     std::vector<PoseLink> edges_;
     std::vector<NetworkCheck*> of_edge_;
     PoseGraphResult graph_;
+    std::vector<Matrix6> own_noise_; ///< of each scan, see find_own_noise
 };
 
 } // namespace

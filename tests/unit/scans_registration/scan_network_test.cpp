@@ -82,6 +82,43 @@ TEST_CASE("Scans that hang on one marked scan are placed, and their covariance i
     CHECK(sum / count < 7.5);
 }
 
+TEST_CASE("Noise that all links of a scan share is stated though no loop shows it") {
+    // Every scan errs by itself, as where few walls are seen: the links agree with each other perfectly.
+    const Matrix6 own = 0.5 * link_covariance();
+    double sum = 0.0;
+    int count = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        Ring ring = a_ring(seed);
+        std::mt19937_64 random(2000 + seed);
+        std::normal_distribution<double> normal;
+        std::vector<Rigid3> seen;
+        for (const auto& pose : ring.truth) {
+            Vector6 noise;
+            for (int k = 0; k < 6; ++k) noise[k] = std::sqrt(0.5) * (k < 3 ? kTurn : kShift) * normal(random);
+            seen.push_back(geometry::moved(pose, noise));
+        }
+        for (auto& link : ring.links) {
+            const Rigid3& target = ring.truth[link.target];
+            Matrix6 turn = Matrix6::Zero();
+            turn.topLeftCorner<3, 3>() = target.rotation.transpose();
+            turn.bottomRightCorner<3, 3>() = target.rotation.transpose();
+            link.target_from_source = seen[link.target].inverse() * seen[link.source];
+            link.covariance = turn *
+                              (own + carried_covariance(own, target.translation, ring.truth[link.source].translation)) *
+                              turn.transpose();
+        }
+        const NetworkAnchor held{0, ring.truth[0], Matrix6::Zero(), true};
+        const auto result = solve_network(5, ring.links, std::vector{held});
+        for (std::size_t i = 1; i < 5; ++i) {
+            REQUIRE(result.poses[i]);
+            sum += chi_square(*result.poses[i], ring.truth[i]);
+            ++count;
+        }
+    }
+    CHECK(sum / count < 7.5); // six expected
+    CHECK(sum / count > 2.5); // twice the σ that is right would give 1.5
+}
+
 TEST_CASE("Held scans do not move, and what hangs on them errs with them") {
     const Ring ring = a_ring(3);
     const NetworkAnchor held{0, ring.truth[0], 9.0 * link_covariance(), true};
