@@ -18,6 +18,8 @@ using geometry::Vector6;
 namespace {
 
 constexpr double kConverged = 2e-6; ///< largest last step at the finest level [m], turns at 10 m
+/// Share of the voxel that the pose may move, turns at 10 m, before the nearest surfels are looked for again.
+constexpr double kNearSearch = 0.02;
 constexpr double kSameFacing = 0.9; ///< cosine between normals of the same ground
 
 void check(const FineOptions& options) {
@@ -70,10 +72,16 @@ class Alignment {
                            4.0,
                            is_last ? MatchWays::Both : MatchWays::Forward,
                            options_.threads,
-                           0.0};
+                           0.0,
+                           false};
+        const double near = kNearSearch * std::max(target.voxel, source.voxel);
         for (int i = 0; i < how.max_iterations; ++i) {
             progress_.check();
             match.range_offset = result.range_offset;
+            match.keep_pairs = searched_level_ == level &&
+                               length_of(geometry::step_between(searched_at_, result.target_from_source)) < near;
+            if (!match.keep_pairs) searched_at_ = result.target_from_source;
+            searched_level_ = level;
             equations = match_surfels(target, source, result.target_from_source, match, patch_of, weights, matches);
             ++result.iterations;
             add_range_prior(equations, result.range_offset, options_.range_offset_sigma);
@@ -91,11 +99,13 @@ class Alignment {
         constexpr int kRounds = 8;
         const std::size_t last = options_.levels.size() - 1;
         PatchMap map = make_patches(target_.clouds[target_.cloud_of[last]], options_.patch);
+        // Scans that keep a blur are bent by that much; a step of a thousandth of it says nothing.
+        const double enough = std::max(kConverged, 1e-3 * options_.levels[last].blur);
         for (int round = 0; round < kRounds; ++round) {
             const Rigid3 before = result.target_from_source;
             result.scatter = judge_patches(map, matches);
-            if (!converge(last, map.patch_of, weights_of(map), kConverged)) return false;
-            if (length_of(geometry::step_between(before, result.target_from_source)) < 5e-6) break;
+            if (!converge(last, map.patch_of, weights_of(map), enough)) return false;
+            if (length_of(geometry::step_between(before, result.target_from_source)) < 2.5 * enough) break;
         }
         link_covariance(map, last);
         result.patches = std::move(map.patches);
@@ -116,6 +126,8 @@ class Alignment {
     const PreparedScan& source_;
     const FineOptions& options_;
     Progress& progress_;
+    Rigid3 searched_at_; ///< where the pairs of `matches` were looked for
+    std::size_t searched_level_ = std::numeric_limits<std::size_t>::max();
 };
 
 std::vector<Eigen::Vector3d> positions_of(const SurfelCloud& cloud) {

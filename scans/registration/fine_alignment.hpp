@@ -26,7 +26,7 @@ struct FineOptions {
         {0.20, 0.60, 0.10, 20}, {0.08, 0.25, 0.03, 15}, {0.02, 0.25, 0.008, 10}, {0.02, 0.25, 0.0, 15}};
     std::size_t max_surfels = 200'000; ///< of a scan at one level; its voxel is doubled until it holds
     int neighbours = 24;               ///< points that make the plane of a surfel
-    double patch = 0.25;               ///< edge of the pieces in which ground votes [m]
+    double patch = 0.4;                ///< edge of the pieces in which ground votes [m]
     double min_overlap = 0.12;         ///< share of the source with a partner, less is refused
     double min_agreement = 0.35;       ///< share of it that agrees where there is ground, less is refused
     double max_sigma_position = 0.02;  ///< of the scanner, in the worst direction [m]; more is refused

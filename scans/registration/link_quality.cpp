@@ -171,7 +171,7 @@ LinkStatistics link_statistics(const SurfelCloud& target, const SurfelCloud& sou
     for (std::size_t i = 0; i < matches.size(); ++i) {
         if (matches[i].kind != MatchKind::Agree) continue;
         const auto patch = map.patch_of[matches[i].target];
-        const double weight = matches[i].weight * map.patches[patch].weight;
+        const double weight = matches[i].weight * matches[i].share * map.patches[patch].weight;
         if (weight <= 0.0) continue;
         // The derivative of a robust vote w · r is less than w: of Geman-McClure's 4 √w - 3 times that. A twentieth
         // keeps the sum above nothing.

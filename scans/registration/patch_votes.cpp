@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace planum::scans {
@@ -33,6 +34,7 @@ struct Sums {
     double offset = 0.0;
     double square = 0.0;
     double precision = 0.0;
+    double shares = 0.0; ///< as many points err on their own
 };
 
 void measure(PatchMap& map, std::span<const SurfelMatch> matches) {
@@ -46,9 +48,11 @@ void measure(PatchMap& map, std::span<const SurfelMatch> matches) {
             continue;
         }
         ++map.patches[at].agreeing;
-        sums[at].weight += match.weight;
-        sums[at].offset += match.weight * match.offset;
-        sums[at].square += match.weight * match.offset * match.offset;
+        const double weight = match.weight * match.share;
+        sums[at].weight += weight;
+        sums[at].offset += weight * match.offset;
+        sums[at].square += weight * match.offset * match.offset;
+        sums[at].shares += match.share;
         sums[at].precision += match.weight / match.variance;
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -57,7 +61,7 @@ void measure(PatchMap& map, std::span<const SurfelMatch> matches) {
         patch.offset = sums[i].offset / sums[i].weight;
         const double variance = std::max(0.0, sums[i].square / sums[i].weight - patch.offset * patch.offset);
         patch.stated = std::sqrt(1.0 / sums[i].precision);
-        patch.sigma = std::max(patch.stated, std::sqrt(variance / std::max(1, patch.agreeing - 1)));
+        patch.sigma = std::max(patch.stated, std::sqrt(variance / std::max(1.0, sums[i].shares - 1.0)));
     }
 }
 
@@ -185,16 +189,61 @@ void find_neighbours(PatchMap& map, const std::map<Key, std::uint32_t>& number) 
     }
 }
 
-// Numbers the blocks in the order of their first patch.
-void gather_blocks(PatchMap& map, const std::vector<Key>& keys) {
-    constexpr std::int64_t kPatchesASide = 4;
-    const auto block = [](std::int64_t cell) {
-        return cell >= 0 ? cell / kPatchesASide : -((kPatchesASide - 1 - cell) / kPatchesASide);
+constexpr int kLevels = 3; ///< of patch sizes, each twice the one before; the largest is a block
+
+/// The cube of that level that the place lies in.
+Key key_at(const Surfel& surfel, double edge, int level) {
+    const double size = edge * (1 << level);
+    const auto cell = [&](Eigen::Index axis) {
+        return static_cast<std::int64_t>(std::floor(surfel.position[axis] / size));
     };
+    return {cell(0), cell(1), cell(2), facing_of(surfel)};
+}
+
+/// The surfels of one patch.
+struct Cell {
+    Key key;
+    int level = 0;
+    std::vector<std::uint32_t> surfels;
+};
+
+// Far from the scanner a small piece holds too few points to be judged, and walls, which alone decide the shifts, are
+// often far. There the pieces are larger: what is too few at one size goes on to the next.
+std::vector<Cell> cells_of(const SurfelCloud& target, double edge) {
+    constexpr int kEnough = 12; // twice what a patch needs, for not all will agree
+    std::vector<Cell> cells;
+    std::vector<std::uint32_t> left(target.surfels.size());
+    std::iota(left.begin(), left.end(), 0U);
+    for (int level = 0; level < kLevels; ++level) {
+        std::vector<std::pair<Key, std::uint32_t>> keyed;
+        keyed.reserve(left.size());
+        for (const auto i : left) keyed.emplace_back(key_at(target.surfels[i], edge, level), i);
+        std::sort(keyed.begin(), keyed.end());
+        left.clear();
+        for (std::size_t i = 0; i < keyed.size();) {
+            Cell cell{keyed[i].first, level, {}};
+            int flat = 0;
+            for (; i < keyed.size() && keyed[i].first == cell.key; ++i) {
+                cell.surfels.push_back(keyed[i].second);
+                flat += target.surfels[keyed[i].second].is_flat ? 1 : 0;
+            }
+            if (flat >= kEnough || level + 1 == kLevels) {
+                cells.push_back(std::move(cell));
+            } else {
+                left.insert(left.end(), cell.surfels.begin(), cell.surfels.end());
+            }
+        }
+    }
+    return cells;
+}
+
+// Numbers the blocks in the order of their first patch.
+void gather_blocks(PatchMap& map, const std::vector<Cell>& cells) {
     std::map<Key, std::uint32_t> number;
-    map.block_of.reserve(keys.size());
-    for (const auto& key : keys) {
-        const Key whole{block(key.x), block(key.y), block(key.z), key.facing};
+    map.block_of.reserve(cells.size());
+    for (const auto& [key, level, surfels] : cells) {
+        const int up = kLevels - 1 - level; // shifting right rounds down, below nothing too
+        const Key whole{key.x >> up, key.y >> up, key.z >> up, key.facing};
         map.block_of.push_back(number.try_emplace(whole, static_cast<std::uint32_t>(number.size())).first->second);
     }
     map.blocks = number.size();
@@ -214,32 +263,19 @@ std::string_view to_word(PatchState state) noexcept {
 }
 
 PatchMap make_patches(const SurfelCloud& target, double edge) {
-    std::vector<std::pair<Key, std::uint32_t>> keyed;
-    keyed.reserve(target.surfels.size());
-    for (std::size_t i = 0; i < target.surfels.size(); ++i) {
-        const Surfel& surfel = target.surfels[i];
-        const auto cell = [&](Eigen::Index axis) {
-            return static_cast<std::int64_t>(std::floor(surfel.position[axis] / edge));
-        };
-        keyed.push_back({{cell(0), cell(1), cell(2), facing_of(surfel)}, static_cast<std::uint32_t>(i)});
-    }
-    std::sort(keyed.begin(), keyed.end());
+    const std::vector<Cell> cells = cells_of(target, edge);
     PatchMap map;
-    std::vector<Key> keys;
     map.patch_of.resize(target.surfels.size());
-    for (std::size_t i = 0; i < keyed.size();) {
-        std::size_t end = i;
+    for (const auto& cell : cells) {
         Patch patch;
-        for (; end < keyed.size() && keyed[end].first == keyed[i].first; ++end) {
-            patch.center += target.surfels[keyed[end].second].position;
-            map.patch_of[keyed[end].second] = static_cast<std::uint32_t>(map.patches.size());
+        for (const auto i : cell.surfels) {
+            patch.center += target.surfels[i].position;
+            map.patch_of[i] = static_cast<std::uint32_t>(map.patches.size());
         }
-        patch.center /= static_cast<double>(end - i);
+        patch.center /= static_cast<double>(cell.surfels.size());
         map.patches.push_back(patch);
-        keys.push_back(keyed[i].first);
-        i = end;
     }
-    gather_blocks(map, keys);
+    gather_blocks(map, cells);
     return map;
 }
 

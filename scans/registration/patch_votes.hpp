@@ -35,12 +35,13 @@ struct Patch {
 /// The patches of a target cloud.
 struct PatchMap {
     std::vector<std::uint32_t> patch_of; ///< one a target surfel
-    std::vector<Patch> patches;          ///< ordered by place
+    std::vector<Patch> patches;          ///< ordered by size and place
     std::vector<std::uint32_t> block_of; ///< one a patch: neighbours with one facing, several patches wide
     std::size_t blocks = 0;
     std::vector<std::vector<std::uint32_t>> beside; ///< one a block: those that touch it and face as it does
 };
 
+/// Patches are cubes of the given edge [m]; where these hold too few points, of twice or four times that.
 [[nodiscard]] PatchMap make_patches(const SurfelCloud& target, double edge);
 
 /// Judges every patch from the matches of the present pose and sets its weight: nothing for ground that has

@@ -26,6 +26,9 @@ struct MatchOptions {
     MatchWays ways = MatchWays::Forward;
     int threads = 2;
     double range_offset = 0.0; ///< by which all ranges of both scans are taken to be too long [m]
+    /// Takes the pairs that `matches` holds, made with the same clouds and ways, instead of looking for the nearest
+    /// anew: what costs most, and the same while the pose moves by little of the spacing.
+    bool keep_pairs = false;
 };
 
 enum class MatchKind : std::uint8_t {
@@ -38,9 +41,11 @@ struct SurfelMatch {
     std::uint32_t target = 0;
     std::uint32_t source = 0;
     MatchKind kind = MatchKind::None;
-    double weight = 0.0;   ///< robust, 0…1, without that of the patch
+    double weight = 0.0; ///< robust, 0…1, without that of the patch
+    /// Of the variance, what is the pair's own, 0…1: a surfel that is the nearest of several errs with all of them.
+    double share = 1.0;
     double offset = 0.0;   ///< signed distance along the normal of the target [m]
-    double variance = 0.0; ///< that the two surfels state for it [m²]
+    double variance = 0.0; ///< that the two surfels state for it, divided by the share [m²]
 };
 
 /// The six numbers of geometry::moved, then the range offset [m].
