@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Registration against the truth of simulated digs.
 // ./dev bench registration [digs FROM TO [SIZE]] | [dig FOLDER] | [wrong SITE SITE [PAIRS]]
-// | [trench FOLDER]
+// | [trench FOLDER] | [pair FOLDER] | [sequence FOLDER] | [graphs FOLDER] | [large] | [projections FOLDER]
+// | [strangers FOLDER]: folders of shared data (trench, pairs, 3dtk, g2o, trench, trench)
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "app/registration/scan_shelf.hpp"
 #include "app/scans/scan_stores.hpp"
+#include "bench/bench_registration_features.hpp"
+#include "bench/bench_registration_parts.hpp"
 #include "bench/bench_registration_real.hpp"
 #include "bench/bench_support.hpp"
 #include "core/base/error.hpp"
@@ -128,6 +132,20 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (arguments.size() >= 2 && arguments[0] == "trench") {
         bench::bench_trench(arguments[1]);
+        return 0;
+    }
+    const std::pair<const char*, void (*)(const std::filesystem::path&)> parts[] = {
+        {"pair", bench::bench_pair},           {"sequence", bench::bench_sequence},
+        {"graphs", bench::bench_graphs},       {"projections", bench::bench_projections},
+        {"strangers", bench::bench_strangers},
+    };
+    for (const auto& [name, work] : parts) {
+        if (arguments.size() < 2 || arguments[0] != name) continue;
+        work(arguments[1]);
+        return 0;
+    }
+    if (!arguments.empty() && arguments[0] == "large") {
+        bench::bench_large_pair();
         return 0;
     }
     if (!arguments.empty() && arguments[0] == "digs") {

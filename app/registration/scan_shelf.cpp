@@ -19,8 +19,9 @@ constexpr std::size_t kKept = 24; ///< prepared scans, some 40 MB each
 constexpr double kLowest = -1.2;
 constexpr double kHighest = 0.8;
 
-scans::PanoramaOptions panorama_options(std::uint64_t points) {
+scans::PanoramaOptions panorama_options(std::uint64_t points, scans::ProjectionKind projection) {
     scans::PanoramaOptions options;
+    options.projection.kind = projection;
     // About one point a pixel; SIFT finds little in pictures under 1,000 pixels around and nothing more over 2,000.
     const double width = std::clamp(2.2 * std::sqrt(static_cast<double>(points)), 1000.0, 1800.0);
     options.projection.width = static_cast<int>(width);
@@ -32,19 +33,20 @@ scans::PanoramaOptions panorama_options(std::uint64_t points) {
 
 } // namespace
 
-scans::FeatureSet features_of(const scans::PointStore& store) {
+scans::FeatureSet features_of(const scans::PointStore& store, const FeatureView& view) {
     const scans::Columns has = store.info().has;
-    scans::PanoramaBuilder builder(panorama_options(store.points()), {has.intensity, has.colour, false, false});
+    scans::PanoramaBuilder builder(panorama_options(store.points(), view.projection),
+                                   {has.intensity, has.colour, false, false});
     builder.expect(store.points());
     store.for_each([&](const scans::FoundPoints& found) { builder.add(found.points); }, Progress::none());
     const scans::Panorama panorama = builder.finish(Progress::none());
     scans::FeatureSet features;
-    if (has.intensity) {
+    if (view.looks && has.intensity) {
         append(features, find_features(panorama, scans::Channel::Reflectance));
-    } else if (has.colour) {
+    } else if (view.looks && has.colour) {
         append(features, find_features(panorama, scans::Channel::Colour));
     }
-    append(features, find_features(panorama, scans::Channel::Range));
+    if (view.range) append(features, find_features(panorama, scans::Channel::Range));
     return features;
 }
 

@@ -41,8 +41,15 @@ class ScanShelf {
     std::deque<std::pair<std::size_t, std::shared_ptr<const scans::PreparedScan>>> prepared_; ///< latest first
 };
 
+/// In what features are looked for. The defaults are the best by measurement, see docs/registration.md.
+struct FeatureView {
+    scans::ProjectionKind projection = scans::ProjectionKind::Equirectangular;
+    bool looks = true; ///< in the reflectance, else the colour
+    bool range = true; ///< in the range
+};
+
 /// Features of a store in all channels that it has: reflectance, else colour, and range.
-[[nodiscard]] scans::FeatureSet features_of(const scans::PointStore& store);
+[[nodiscard]] scans::FeatureSet features_of(const scans::PointStore& store, const FeatureView& view = {});
 
 /// Points of a store, in its order.
 [[nodiscard]] std::vector<Eigen::Vector3d> points_of(const scans::PointStore& store);
