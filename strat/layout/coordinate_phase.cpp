@@ -48,6 +48,7 @@ class Placer : public LevelNeighbours {
         find_sides(x);
         settle(x);
         take_out_steps(x);
+        straighten_runs(x);
         return x;
     }
 
@@ -132,7 +133,8 @@ class Placer : public LevelNeighbours {
     // gets a node of its own left of both its ends. Keeps the page narrow, which four averaged layouts do not;
     // they are the start, so that few steps are needed.
     void shorten(std::vector<double>& x) const {
-        constexpr std::int64_t kWork = 150'000'000; // a pivot costs up to a step a node; the first win most
+        constexpr std::int64_t kWork = 300'000'000; // a pivot costs up to a step a node; the first win most
+        constexpr std::int64_t kMany = 100'000;     // nodes: with more, twice the work leaves the page no narrower
         if (g_.edges.empty() && groups_ == 0) return;
         std::vector<RankArc> arcs = separations();
         std::vector<std::int32_t> placed = feasible_start(x, arcs);
@@ -147,7 +149,8 @@ class Placer : public LevelNeighbours {
             constexpr std::int32_t kTight = 1;
             arcs.push_back({left_side(group), right_side(group), 0, kTight});
         }
-        placed = network_simplex(static_cast<std::uint32_t>(placed.size()), arcs, kWork / std::ssize(placed), placed);
+        const std::int64_t work = std::ssize(placed) < kMany ? kWork : kWork / 2;
+        placed = network_simplex(static_cast<std::uint32_t>(placed.size()), arcs, work / std::ssize(placed), placed);
         for (std::uint32_t v = 0; v < g_.nodes; ++v) x[v] = static_cast<double>(placed[v]) / kHalves;
     }
 
@@ -300,9 +303,7 @@ class Placer : public LevelNeighbours {
     // Moves a run if there is room and its other end gets no step for it.
     bool shift_run(const std::vector<std::uint32_t>& run, double to, const Adjacency& onwards,
                    std::vector<double>& x) const {
-        for (const std::uint32_t v : run) {
-            if (to < bound(v, x, true) || to > bound(v, x, false)) return false;
-        }
+        if (!fits(run, to, x)) return false;
         for (const std::uint32_t w : onwards.row(run.back())) {
             const double reach = extents_[w].is_line ? 0.0 : extents_[w].width / 2.0 - style::kPortMargin;
             const bool faced = std::abs(x[w] - x[run.back()]) <= reach;
@@ -310,6 +311,61 @@ class Placer : public LevelNeighbours {
         }
         for (const std::uint32_t v : run) x[v] = to;
         return true;
+    }
+
+    // Where lines may leave or enter a node without a bend.
+    struct Facing {
+        double least = 0.0;
+        double most = 0.0;
+
+        [[nodiscard]] bool holds(double at) const noexcept { return at >= least && at <= most; }
+    };
+
+    [[nodiscard]] std::vector<Facing> facing(std::uint32_t end, const Adjacency& onwards,
+                                             const std::vector<double>& x) const {
+        std::vector<Facing> all;
+        for (const std::uint32_t w : onwards.row(end)) {
+            const double reach = extents_[w].is_line
+                                     ? 0.0
+                                     : std::max(0.0, std::floor(extents_[w].width - 2.0 * style::kPortMargin)) / 2.0;
+            all.push_back({x[w] - reach, x[w] + reach});
+        }
+        return all;
+    }
+
+    // Lines run straight into boxes anywhere along their edges, not only in the middle: last, each straight piece goes
+    // to the nearest place with the fewest bends at its ends that the level has room for.
+    void straighten_runs(std::vector<double>& x) {
+        relief_ = style::kLineGap - style::kLeastLineGap;
+        for (const std::vector<std::uint32_t>& run : straight_runs(x)) {
+            if (!extents_[run.front()].is_line) continue;
+            std::vector<Facing> ends = facing(run.front(), up_, x);
+            const std::vector<Facing> below = facing(run.back(), down_, x);
+            ends.insert(ends.end(), below.begin(), below.end());
+            const auto straight_at = [&](double at) {
+                return std::count_if(ends.begin(), ends.end(), [&](const Facing& f) { return f.holds(at); });
+            };
+            const double now = x[run.front()];
+            double best = now;
+            std::ptrdiff_t most = straight_at(now);
+            for (const Facing& f : ends) {
+                for (const double to : {f.least, f.most}) {
+                    const std::ptrdiff_t straight = straight_at(to);
+                    const bool better =
+                        straight > most || (straight == most && std::abs(to - now) < std::abs(best - now));
+                    if (!better || !fits(run, to, x)) continue;
+                    best = to;
+                    most = straight;
+                }
+            }
+            for (const std::uint32_t v : run) x[v] = best;
+        }
+        relief_ = 0.0;
+    }
+
+    [[nodiscard]] bool fits(const std::vector<std::uint32_t>& run, double to, const std::vector<double>& x) const {
+        return std::all_of(run.begin(), run.end(),
+                           [&](std::uint32_t v) { return to >= bound(v, x, true) && to <= bound(v, x, false); });
     }
 
     struct Sides {

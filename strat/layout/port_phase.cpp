@@ -107,8 +107,11 @@ struct Port {
     End* end = nullptr;
     double wanted = 0.0;
     double towards = 0.0;  // mean x of where the wire goes
-    bool straight = false; // the wire has one other end, and `wanted` faces it
+    double straight = 0.0; // 0: `wanted` faces no other end of the wire, else how much it matters
 };
+
+constexpr double kOnlyOne = 10.0;  // the wire has one other end
+constexpr double kOneOfMany = 1.0; // it has others
 
 class PortPlacer {
   public:
@@ -145,14 +148,16 @@ class PortPlacer {
             const std::vector<End>& far = tops ? wire.bottoms : wire.tops;
             for (End& end : own) {
                 if (is_line(end.node)) continue;
-                by_box[end.node].push_back(make_port(end, own, far));
+                by_box[end.node].push_back(make_port(end, own, far, tops));
             }
         }
         for (auto& [node, ports] : by_box) spread(node, ports);
     }
 
-    Port make_port(End& end, const std::vector<End>& own, const std::vector<End>& far) const {
-        Port port{&end, m_.nodes[end.node].x, 0.0, false};
+    // Upper sides are placed when the ends above have their places; before that, boxes are aimed at in the middle.
+    Port make_port(End& end, const std::vector<End>& own, const std::vector<End>& far, bool top) const {
+        const double centre = m_.nodes[end.node].x;
+        Port port{&end, centre, 0.0, 0.0};
         const std::vector<End>& aims = far.empty() ? own : far;
         double sum = 0.0;
         std::size_t count = 0;
@@ -161,19 +166,54 @@ class PortPlacer {
             sum += other.x;
             ++count;
         }
-        port.towards = count > 0 ? sum / static_cast<double>(count) : m_.nodes[end.node].x;
-        if (far.size() == 1 && own.size() == 1) {
-            const double other = far.front().x;
-            port.wanted = is_line(far.front().node) ? other : (m_.nodes[end.node].x + other) / 2.0;
-            port.straight = std::abs(port.wanted - m_.nodes[end.node].x) <= reach(end.node);
-        } else if (far.empty()) {
+        port.towards = count > 0 ? sum / static_cast<double>(count) : centre;
+        if (far.empty()) {
             port.wanted = port.towards; // a turn leaves on the side it turns to
+            return port;
+        }
+        const bool only = far.size() == 1 && own.size() == 1;
+        double least = reach(end.node);
+        for (const End& other : far) {
+            const bool halfway = only && top && !is_line(other.node); // both boxes meet half the way
+            const double place = halfway ? (centre + other.x) / 2.0 : other.x;
+            if (only) port.wanted = place;
+            if (std::abs(place - centre) > least) continue;
+            least = std::abs(place - centre);
+            port.wanted = place;
+            port.straight = only ? kOnlyOne : kOneOfMany;
         }
         return port;
     }
 
+    // Ports of one box that stand side by side at the least gap. Its place is that of its first port.
+    struct Pool {
+        std::span<const Port> ports;
+        double place = 0.0;
+    };
+
+    // Where the most that can run straight do; where none can, in the mean of what they want.
+    static double place_of(std::span<const Port> ports, double gap) {
+        std::vector<std::pair<double, double>> straight; // place of the first port, weight
+        double total = 0.0;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < ports.size(); ++i) {
+            const double first = ports[i].wanted - gap * static_cast<double>(i);
+            sum += first;
+            total += ports[i].straight;
+            if (ports[i].straight > 0.0) straight.push_back({first, ports[i].straight});
+        }
+        if (straight.empty()) return sum / static_cast<double>(ports.size());
+        std::sort(straight.begin(), straight.end());
+        double passed = 0.0;
+        for (const auto& [first, weight] : straight) {
+            passed += weight;
+            if (2.0 * passed >= total) return first;
+        }
+        return straight.back().first;
+    }
+
     // Sorted by where they go, as near to what they want as the gaps allow; lines that can run straight hold
-    // their place and the others make way. Least squares under an order: pool adjacent violators.
+    // their place and the others make way: medians under an order, by pooling adjacent violators.
     void spread(std::uint32_t node, std::vector<Port>& ports) const {
         std::stable_sort(ports.begin(), ports.end(),
                          [](const Port& a, const Port& b) { return a.towards < b.towards; });
@@ -182,32 +222,25 @@ class PortPlacer {
         const std::size_t n = ports.size();
         const double gap =
             n < 2 ? 0.0 : std::min(style::kPortGap, std::floor(4.0 * room / static_cast<double>(n - 1)) / 2.0);
-
-        struct Pool {
-            double sum = 0.0; // of weight times place, gaps taken out
-            double weight = 0.0;
-            std::size_t count = 0;
-
-            [[nodiscard]] double mean() const { return sum / weight; }
-        };
-
         std::vector<Pool> pools;
+        const auto pool_of = [&](std::size_t first, std::size_t count) {
+            const std::span<const Port> own = std::span<const Port>(ports).subspan(first, count);
+            return Pool{own, place_of(own, gap) - gap * static_cast<double>(first)};
+        };
         for (std::size_t i = 0; i < n; ++i) {
-            const double weight = ports[i].straight ? 1000.0 : 1.0;
-            pools.push_back({weight * (ports[i].wanted - gap * static_cast<double>(i)), weight, 1});
-            while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
-                const Pool last = pools.back();
+            pools.push_back(pool_of(i, 1));
+            while (pools.size() > 1 && pools[pools.size() - 2].place > pools.back().place) {
                 pools.pop_back();
-                pools.back().sum += last.sum;
-                pools.back().weight += last.weight;
-                pools.back().count += last.count;
+                const auto first = static_cast<std::size_t>(pools.back().ports.data() - ports.data());
+                pools.back() = pool_of(first, i + 1 - first);
             }
         }
         std::size_t i = 0;
         const double most = std::max(centre - room, centre + room - gap * static_cast<double>(n - 1));
         for (const Pool& pool : pools) {
-            const double base = std::clamp(std::round(pool.mean() * 2.0) / 2.0, centre - room, most);
-            for (std::size_t k = 0; k < pool.count; ++k, ++i) ports[i].end->x = base + gap * static_cast<double>(i);
+            const double base = std::clamp(std::round(pool.place * 2.0) / 2.0, centre - room, most);
+            for (std::size_t k = 0; k < pool.ports.size(); ++k, ++i)
+                ports[i].end->x = base + gap * static_cast<double>(i);
         }
     }
 
