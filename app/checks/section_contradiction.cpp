@@ -30,7 +30,8 @@ using geometry::SheetLook;
 
 constexpr SheetLook kOther{0x6b6760, 0.25, SheetDash::Solid, 0xffffff, 0.0};
 constexpr SheetLook kContact{kClashColour, 1.2, SheetDash::Solid, kClashColour, 0.0};
-constexpr double kColumn = 0.02; // as sections are walked [m]
+constexpr double kColumn = 0.02;       // as sections are walked [m]
+constexpr double kWordsBeside = 0.014; // middle of the words of a dimension line from that line [m on paper]
 
 // The section whose contact is longest, as the checks take it.
 SectionEvidence find_evidence(const model::Record& record, const model::Diagnostic& problem) {
@@ -232,8 +233,10 @@ class SectionMaker {
             sheet.sheet.lines.push_back({{{x, low, 0.0}, {x, high, 0.0}}, kMeasureLine});
             for (const double z : {low, high})
                 sheet.sheet.lines.push_back({{{x - tick, z, 0.0}, {x + tick, z, 0.0}}, kMeasureLine});
-            sheet.sheet.labels.push_back(
-                {x + 0.012 * sheet.scale, 0.5 * (low + high), fmt::format("{}: {:.2f} m", unit, high - low), {}});
+            sheet.sheet.labels.push_back({x + kWordsBeside * sheet.scale,
+                                          0.5 * (low + high),
+                                          fmt::format("{}: {:.2f} m", unit, high - low),
+                                          {}});
         };
         measure(worst_.height(), worst_.top, made_.upper);
         measure(worst_.bottom, worst_.height(), made_.lower);
