@@ -20,7 +20,11 @@ struct GroundNoise {
     double spread = 0.003;      ///< of the heights in a cell [m]
     double pose_sigma = 0.003;  ///< [m]
     double outline_shift = 0.0; ///< a further systematic displacement of all outlines of a day [m]
+    double misplaced_by = 0.0; ///< one scan, which alone saw half of a surface, stands that far off; its σ says so [m]
 };
+
+/// The surface with the misplaced scan: one in the middle, so that it is compared both ways.
+inline app::demo::SurfaceNo misplaced_surface(const app::demo::DemoDig& dig) { return dig.plan.surfaces / 2; }
 
 inline model::UnitId demo_unit_id(app::demo::UnitNo unit) { return {Uuid{1, static_cast<std::uint64_t>(unit) + 1}}; }
 
@@ -62,6 +66,25 @@ inline scans::SurfaceGrid surface_of(const app::demo::DemoDig& dig, app::demo::S
         const double error = lift + 0.5 * noise.spread * draw.normal();
         grid.height[i] = map[i].z + static_cast<float>(error);
         if (map[i].shown == SurfaceCell::Shown::Nothing) grid.state[i] = scans::CellState::Unseen;
+    }
+    if (noise.misplaced_by > 0.0 && surface == misplaced_surface(dig)) {
+        // Level and plumb, as a scanner with its compensator stands: a shift to one side and one of height.
+        const double direction = draw.between(0.0, 6.283185307179586);
+        const double climb = draw.between(-1.0, 1.0);
+        const double aside = noise.misplaced_by * std::sqrt(1.0 - climb * climb) / grid.frame.cell;
+        const auto across = static_cast<std::int32_t>(std::lround(aside * std::cos(direction)));
+        const auto along = static_cast<std::int32_t>(std::lround(aside * std::sin(direction)));
+        const scans::SurfaceGrid true_place = grid;
+        for (std::int32_t row = 0; row < grid.frame.rows; ++row) {
+            for (std::int32_t column = grid.frame.columns / 2; column < grid.frame.columns; ++column) {
+                const std::size_t i = grid.frame.at(row, column);
+                const std::size_t from = grid.frame.at(std::clamp(row - along, 0, grid.frame.rows - 1),
+                                                       std::clamp(column - across, 0, grid.frame.columns - 1));
+                grid.height[i] = true_place.height[from] + static_cast<float>(climb * noise.misplaced_by);
+                grid.state[i] = true_place.state[from];
+                grid.pose_sigma[i] = static_cast<float>(noise.misplaced_by);
+            }
+        }
     }
     const auto steepest = [&](std::int32_t row, std::int32_t column) {
         double most = 0.0;
