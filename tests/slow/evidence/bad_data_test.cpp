@@ -91,7 +91,7 @@ TEST_CASE("Where a scan stands 5 cm off and says so nothing is inverted, and mos
     check_digs("misplaced", by);
 }
 
-TEST_CASE("Where all of these come together with outlines 3 cm off, nothing is inverted") {
+TEST_CASE("Where outlines and a day are missing and outlines are 3 cm off, nothing is inverted") {
     Spoilt by{.without_outline = 0.1, .day_unscanned = true};
     by.noise.outline_shift = 0.03;
     check_digs("all at once", by);
