@@ -170,6 +170,9 @@ class Planner {
         std::string missed;
         for (const model::Scan& scan : project_.record().scans) {
             if (scan.sha256 != hash || fs::exists(original_path(project_.path(), scan))) continue;
+            const bool is_found = std::any_of(plan_.moved.begin(), plan_.moved.end(),
+                                              [&](const model::Scan& found) { return found.id == scan.id; });
+            if (is_found) continue; // a second copy in the same call: the first one is as good
             missed = scan.path;
             plan_.moved.push_back(scan);
             plan_.moved.back().path = path_to_keep(project_.path(), path);
