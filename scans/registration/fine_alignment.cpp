@@ -20,6 +20,8 @@ namespace {
 constexpr double kConverged = 2e-6; ///< largest last step at the finest level [m], turns at 10 m
 /// Share of the voxel that the pose may move, turns at 10 m, before the nearest surfels are looked for again.
 constexpr double kNearSearch = 0.02;
+/// How much wider the cubes of a level must be than those of the finer cloud to be worth a cloud of their own.
+constexpr double kAnotherCloud = 1.4;
 constexpr double kSameFacing = 0.9; ///< cosine between normals of the same ground
 
 void check(const FineOptions& options) {
@@ -145,11 +147,10 @@ PreparedScan prepare_scan(std::span<const Eigen::Vector3d> x_in_scan, const Fine
     for (const auto& x : x_in_scan) scan.points += x.allFinite() ? 1U : 0U;
     // From fine to coarse, each thinned from the one before.
     std::vector<Eigen::Vector3d> points;
-    double last = -1.0;
     for (auto level = options.levels.rbegin(); level != options.levels.rend(); ++level) {
-        if (level->voxel != last) {
-            last = level->voxel;
-            double voxel = std::max(level->voxel, scan.clouds.empty() ? 0.0 : scan.clouds.back().voxel);
+        // The finer cloud serves a level that asks for nearly the same; in a dense scan its cubes had to grow.
+        if (scan.clouds.empty() || level->voxel > kAnotherCloud * scan.clouds.back().voxel) {
+            double voxel = level->voxel;
             points = thin_out(scan.clouds.empty() ? x_in_scan : std::span<const Eigen::Vector3d>(points), voxel);
             while (points.size() > options.max_surfels) {
                 voxel = voxel > 0.0 ? 1.4 * voxel : 0.005;

@@ -24,7 +24,7 @@ struct FineOptions {
     /// Voxels must not grow from level to level.
     std::vector<AlignmentLevel> levels{
         {0.20, 0.60, 0.10, 20}, {0.08, 0.25, 0.03, 15}, {0.02, 0.25, 0.008, 10}, {0.02, 0.25, 0.0, 15}};
-    std::size_t max_surfels = 200'000; ///< of a scan at one level; its voxel is doubled until it holds
+    std::size_t max_surfels = 200'000; ///< of a scan at one level; its voxel grows until it holds
     int neighbours = 24;               ///< points that make the plane of a surfel
     double patch = 0.4;                ///< edge of the pieces in which ground votes [m]
     double min_overlap = 0.12;         ///< share of the source with a partner, less is refused

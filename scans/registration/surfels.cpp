@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -29,11 +30,11 @@ constexpr double kLeastIncidence = 0.1;
 constexpr std::uint64_t kCubesASide = std::uint64_t{1} << 21U;
 
 // Least significant digit first, 11 bits a pass; passes in which all keys share the digit are skipped.
-void sort_by_key(std::vector<Keyed>& items) {
+void sort_by_key(std::vector<Keyed>& items, unsigned key_bits) {
     constexpr unsigned kBits = 11;
     constexpr std::size_t kValues = std::size_t{1} << kBits;
     std::vector<Keyed> other(items.size());
-    for (unsigned shift = 0; shift < 63; shift += kBits) {
+    for (unsigned shift = 0; shift < key_bits; shift += kBits) {
         std::array<std::size_t, kValues> start{};
         for (const auto& item : items) ++start[(item.key >> shift) & (kValues - 1)];
         if (std::any_of(start.begin(), start.end(), [&](std::size_t n) { return n == items.size(); })) continue;
@@ -96,16 +97,22 @@ std::vector<Eigen::Vector3d> thin_out(std::span<const Eigen::Vector3d> points, d
                     fmt::format("points spread over {:.0f} m, too far for cubes of {} m: remove the strays",
                                 (high - low).maxCoeff(), voxel));
     }
+    // As few bits an axis as the cubes need, so that the sort needs few passes.
+    const auto bits_of = [&](Eigen::Index axis) {
+        return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>((high[axis] - low[axis]) / voxel)));
+    };
+    const unsigned y_at = bits_of(0);
+    const unsigned z_at = y_at + bits_of(1);
     std::vector<Keyed> keyed;
     keyed.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!points[i].allFinite()) continue;
         const Eigen::Vector3d cell = (points[i] - low) / voxel;
-        keyed.push_back({static_cast<std::uint64_t>(cell.x()) | static_cast<std::uint64_t>(cell.y()) << 21U |
-                             static_cast<std::uint64_t>(cell.z()) << 42U,
+        keyed.push_back({static_cast<std::uint64_t>(cell.x()) | static_cast<std::uint64_t>(cell.y()) << y_at |
+                             static_cast<std::uint64_t>(cell.z()) << z_at,
                          static_cast<std::uint32_t>(i)});
     }
-    sort_by_key(keyed);
+    sort_by_key(keyed, z_at + bits_of(2));
     for (std::size_t i = 0; i < keyed.size();) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         std::size_t end = i;

@@ -26,7 +26,7 @@ namespace {
 struct Truth {
     std::vector<std::string> names; ///< in the order of the file, first day's first scan in front
     std::map<std::string, Rigid3> site_from_scan;
-    std::vector<Eigen::Vector3d> trench; ///< corners, top and bottom
+    std::vector<Eigen::Vector3d> trench; ///< an even lattice, corners included
 };
 
 Truth read_truth(const fs::path& folder) {
@@ -42,19 +42,26 @@ Truth read_truth(const fs::path& folder) {
         floor = std::min(floor, pose.translation.z());
     }
     const auto trench = json.at("trench").get<std::array<std::array<double, 2>, 2>>();
-    for (const double x : {trench[0][0], trench[1][0]}) {
-        for (const double y : {trench[0][1], trench[1][1]}) {
-            for (const double depth : {1.6, 3.6}) truth.trench.emplace_back(x, y, floor - depth);
+    constexpr int kSteps = 4;
+    for (int i = 0; i <= kSteps; ++i) {
+        for (int j = 0; j <= kSteps; ++j) {
+            for (int k = 0; k <= kSteps; ++k) {
+                const auto between = [](double low, double high, int step) {
+                    return low + (high - low) * step / kSteps;
+                };
+                truth.trench.emplace_back(between(trench[0][0], trench[1][0], i),
+                                          between(trench[0][1], trench[1][1], j), floor - between(1.6, 3.6, k));
+            }
         }
     }
     return truth;
 }
 
-/// Largest distance that a point of the trench is moved from where it should be.
-double displacement(const Truth& truth, const Rigid3& found, const Rigid3& right) {
-    double most = 0.0;
-    for (const auto& x : truth.trench) most = std::max(most, (found * (right.inverse() * x) - x).norm());
-    return most;
+/// How far each point of the trench is moved from where it should be [m].
+std::vector<double> displacements(const Truth& truth, const Rigid3& found, const Rigid3& right) {
+    std::vector<double> moved;
+    for (const auto& x : truth.trench) moved.push_back((found * (right.inverse() * x) - x).norm());
+    return moved;
 }
 
 double chi_square(const Rigid3& right, const Rigid3& found, const geometry::Matrix6& covariance) {
@@ -97,13 +104,15 @@ void measure(RegisteredDig& dig, const Truth& truth) {
         const app::ReportedScan& scan = *placed.at(name);
         const Rigid3& right = truth.site_from_scan.at(name);
         const Rigid3 found = geometry::from_row_major(*scan.site_from_scan);
-        dig.absolute.push_back(displacement(truth, found, right));
+        const auto moved = displacements(truth, found, right);
+        dig.absolute.push_back(largest_of(moved));
+        dig.absolute_points.insert(dig.absolute_points.end(), moved.begin(), moved.end());
         dig.absolute_chi.push_back(chi_square(
             right, found, Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(scan.covariance.data())));
         if (first == placed.end() || name == truth.names.front()) continue;
         const Rigid3 mend = truth.site_from_scan.at(truth.names.front()) *
                             geometry::from_row_major(*first->second->site_from_scan).inverse();
-        dig.relative.push_back(displacement(truth, mend * found, right));
+        dig.relative.push_back(largest_of(displacements(truth, mend * found, right)));
     }
     for (const auto& link : dig.report.links) {
         if (!link.is_accepted) continue;

@@ -17,7 +17,8 @@ struct RegisteredDig {
     std::size_t placed = 0; ///< were placed
     /// Largest displacement of a point of the trench, one a scan but the first: relative to the first scan [m].
     std::vector<double> relative;
-    std::vector<double> absolute; ///< the same on the site grid, one a scan [m]
+    std::vector<double> absolute;        ///< the same on the site grid, one a scan [m]
+    std::vector<double> absolute_points; ///< of every point of a lattice in the trench, of every scan [m]
     /// eᵀ C⁻¹ e of the poses on the site grid, six expected.
     std::vector<double> absolute_chi;
     /// The same of the links: the alignments of pairs against their stated covariance.
