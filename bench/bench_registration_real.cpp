@@ -2,6 +2,7 @@
 #include "bench/bench_registration_real.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <random>
 #include <vector>
 
@@ -102,6 +103,52 @@ void bench_pairs(app::Project& project, const fs::path& file) {
     poses.print(fmt::format("{} poses relaxed over them", poses.shift.size()));
 }
 
+// A PTX of one scan with another pose in its header.
+void copy_with_pose(const fs::path& from, const fs::path& to, const Rigid3& pose) {
+    std::ifstream in(from);
+    std::ofstream out(to);
+    std::string line;
+    constexpr int kPoseFrom = 2;
+    constexpr int kPoseTo = 10; // origin, three axes, four rows of the transposed matrix
+    const Eigen::Matrix3d axes = pose.rotation.transpose();
+    const Eigen::Vector3d& origin = pose.translation;
+    for (int i = 0; std::getline(in, line); ++i) {
+        if (i < kPoseFrom || i >= kPoseTo) out << line << '\n';
+        if (i != kPoseFrom) continue;
+        const std::string place = fmt::format("{:.6f} {:.6f} {:.6f}", origin.x(), origin.y(), origin.z());
+        out << place << '\n';
+        for (const char* last : {"", " 0"}) {
+            for (const auto& row : axes.rowwise()) {
+                out << fmt::format("{:.9f} {:.9f} {:.9f}{}\n", row[0], row[1], row[2], last);
+            }
+        }
+        out << place << " 1\n";
+    }
+    if (!in.eof() || !out.flush()) throw Error(ErrorCode::BadInput, from.string() + ": cannot be copied");
+}
+
+// The files again with headers 2 m and 40° off, but the first, which is the grid.
+std::vector<fs::path> disturbed_days(const std::vector<fs::path>& days, const model::Record& record,
+                                     const fs::path& folder) {
+    std::vector<fs::path> copies;
+    std::uint64_t seed = 1;
+    for (const auto& day : days) {
+        copies.push_back(folder / day.filename());
+        fs::create_directories(copies.back());
+        for (const auto& entry : fs::directory_iterator(day)) {
+            if (entry.path().extension() != ".ptx") continue;
+            const auto name = fs::path(day.filename() / entry.path().stem()).generic_string();
+            const auto it = std::find_if(record.scans.begin(), record.scans.end(),
+                                         [&](const auto& scan) { return scan.name == name; });
+            if (it == record.scans.end()) throw Error(ErrorCode::BadInput, name + ": not among the scans");
+            const bool is_grid = it == record.scans.begin();
+            copy_with_pose(entry.path(), copies.back() / entry.path().filename(),
+                           is_grid ? truth_of(*it) : disturbed(truth_of(*it), 2.0, 40.0 / kDegrees, ++seed));
+        }
+    }
+    return copies;
+}
+
 } // namespace
 
 void bench_trench(const fs::path& folder) {
@@ -115,10 +162,11 @@ void bench_trench(const fs::path& folder) {
     std::sort(days.begin(), days.end());
     (void)app::add_scans(project, days, {}, Progress::none());
     bench_pairs(project, file);
-    // No start values at all: the poses in the headers are not looked at but that of the first, which is the grid.
+    app::Project far_off = app::Project::create(scratch / "far-off.gpkg", {}, {});
+    (void)app::add_scans(far_off, disturbed_days(days, project.record(), scratch / "far-off"), {}, Progress::none());
     app::RegisterOptions options;
     options.origin = project.record().scans.front().name;
-    const auto report = app::register_scans(project, options, Progress::none());
+    const auto report = app::register_scans(far_off, options, Progress::none());
     Errors poses;
     for (const auto& scan : report.scans) {
         if (!scan.site_from_scan) fmt::print("    {}: {}\n", scan.scan, scan.verdict);
@@ -128,7 +176,7 @@ void bench_trench(const fs::path& folder) {
         poses.add(geometry::step_between(truth_of(*it), geometry::from_row_major(*scan.site_from_scan)),
                   Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(scan.covariance.data()));
     }
-    poses.print(fmt::format("{} poses by the whole chain, no start values", poses.shift.size()));
+    poses.print(fmt::format("{} poses by the whole chain from 2 m and 40° off", poses.shift.size()));
 }
 
 } // namespace planum::bench
