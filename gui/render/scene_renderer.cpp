@@ -90,7 +90,7 @@ void main() { result = texture(colours, at); }
 )";
 
 // One step of the still picture ends soon after its time is up: so much is done between two looks at the clock.
-constexpr std::size_t kPointsAtOnce = 100'000;
+constexpr std::size_t kPointsAtOnce = 40'000;
 constexpr std::size_t kUploadAtOnce = 400'000;
 constexpr int kRowsAtOnce = 50;
 
@@ -262,7 +262,9 @@ struct SceneRenderer::Gl {
         }
         if (!still.begun) return begin_still();
         if (still.drawn < cloud.count) {
-            const std::size_t now = std::min(kPointsAtOnce, cloud.count - still.drawn);
+            // With the first of them the driver makes its program for this target, which takes a step of its own.
+            const std::size_t wanted = still.drawn == 0 ? 100 : kPointsAtOnce;
+            const std::size_t now = std::min(wanted, cloud.count - still.drawn);
             f->glBindFramebuffer(GL_FRAMEBUFFER, scene.framebuffer());
             draw_points(cloud, still.frame, still.drawn, now);
             still.drawn += now;
@@ -322,7 +324,10 @@ bool SceneRenderer::advance_still(int milliseconds) {
     if (gl_->f == nullptr) return true;
     QElapsedTimer timer;
     timer.start();
-    while (!gl_->still.finished && timer.elapsed() < milliseconds) gl_->go_on();
+    const auto began = [this] { return std::pair(gl_->still.begun, gl_->still.drawn > 0); };
+    const auto stage = began();
+    // What begins anew (targets, programs) takes longer than a little of the same: nothing more in such a step.
+    while (!gl_->still.finished && timer.elapsed() < milliseconds && began() == stage) gl_->go_on();
     return gl_->still.finished;
 }
 

@@ -514,6 +514,13 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::FlightWriter</name>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::HistoryPanel</name>
     <message>
         <source>History</source>
@@ -1785,10 +1792,6 @@
         <source>The 3D view needs a display; the program runs without one (%1). All other views work.</source>
         <translation>Die 3D-Ansicht braucht einen Bildschirm; das Programm läuft ohne (%1). Alle anderen Ansichten arbeiten.</translation>
     </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>%1 wird geschrieben</translation>
-    </message>
 </context>
 <context>
     <name>planum::gui::SpaceModel</name>
@@ -1998,6 +2001,13 @@
     <message>
         <source>reading %1: %2 relations from surfaces</source>
         <translation>Lesart %1: %2 Beziehungen aus Flächen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -514,6 +514,13 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::FlightWriter</name>
+    <message>
+        <source>Writing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::HistoryPanel</name>
     <message>
         <source>History</source>
@@ -1785,10 +1792,6 @@
         <source>The 3D view needs a display; the program runs without one (%1). All other views work.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Writing %1</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>planum::gui::SpaceModel</name>
@@ -1998,6 +2001,13 @@
     <message>
         <source>reading %1: %2 relations from surfaces</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>

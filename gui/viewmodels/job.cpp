@@ -145,21 +145,34 @@ void JobRunner::work_off(Lane& lane, const std::stop_token& ended) {
     }
 }
 
+// What waits is forgotten, what runs is asked to stop and not listened to.
+void JobRunner::drop(Lane& lane) {
+    const std::scoped_lock lock(lane.mutex);
+    for (const Lane::Entry& entry : lane.waiting) std::erase(jobs_, entry.job);
+    lane.waiting.clear();
+    for (const auto& other : jobs_) {
+        if (other->objectName() != lane.name) continue;
+        other->replaced_ = true;
+        other->stop_.request_stop();
+    }
+}
+
+void JobRunner::cancel(const QString& lane_name) {
+    const bool any = std::any_of(jobs_.begin(), jobs_.end(),
+                                 [&](const std::shared_ptr<Job>& job) { return job->objectName() == lane_name; });
+    if (!any) return;
+    drop(lane_named(lane_name));
+    emit changed();
+    if (jobs_.empty()) emit idle();
+}
+
 void JobRunner::start(const QString& lane_name, Queueing queueing, const QString& title, Job::Kind kind, Work work,
                       Failed failed) {
     Lane& lane = lane_named(lane_name);
     auto job = std::make_shared<Job>(title, kind);
+    if (queueing == Queueing::Newest) drop(lane);
     {
         const std::scoped_lock lock(lane.mutex);
-        if (queueing == Queueing::Newest) {
-            for (const Lane::Entry& entry : lane.waiting) std::erase(jobs_, entry.job);
-            lane.waiting.clear();
-            for (const auto& other : jobs_) {
-                if (other->objectName() != lane_name) continue;
-                other->replaced_ = true;
-                other->stop_.request_stop();
-            }
-        }
         job->setObjectName(lane_name);
         lane.waiting.push_back({job, std::move(work), std::move(failed)});
     }

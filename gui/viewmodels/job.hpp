@@ -76,6 +76,8 @@ class JobRunner : public QObject {
 
     [[nodiscard]] bool is_idle() const noexcept { return jobs_.empty(); }
 
+    /// Gives up what waits or runs in a lane, because nobody wants its outcome any more.
+    void cancel(const QString& lane);
     void cancel_all();
     /// Runs the event loop until nothing is left to do; for tests and screenshots. False when it took longer.
     bool wait_until_idle(int milliseconds);
@@ -92,6 +94,7 @@ class JobRunner : public QObject {
     void work_off(Lane& lane, const std::stop_token& ended);
     void finish(const std::shared_ptr<Job>& job, const Done& done, const QString& error, const Failed& failed);
     Lane& lane_named(const QString& name);
+    void drop(Lane& lane);
 
     std::vector<std::shared_ptr<Job>> jobs_; ///< waiting and running, in the order they came
     std::vector<std::unique_ptr<Lane>> lanes_;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "app/scans/days_surface.hpp"
@@ -25,6 +27,27 @@ QString suggestion_state_word(SuggestionState state) {
     case SuggestionState::Recorded: return SuggestionListModel::tr("recorded already");
     }
     return {};
+}
+
+QStringList lines_of_unused(const std::vector<app::UnusedSurface>& unused) {
+    constexpr int kNamed = 6;
+    std::vector<std::pair<std::string, QStringList>> reasons;
+    std::map<std::string, std::size_t> place;
+    for (const app::UnusedSurface& one : unused) {
+        const auto [found, fresh] = place.try_emplace(one.why, reasons.size());
+        if (fresh) reasons.emplace_back(one.why, QStringList{});
+        reasons[found->second].second << qt(one.surface);
+    }
+    QStringList lines;
+    for (const auto& [why, surfaces] : reasons) {
+        QString names = surfaces.mid(0, kNamed).join(QStringLiteral(", "));
+        if (surfaces.size() > kNamed) {
+            names = SuggestionListModel::tr("%1 and %n more", nullptr, static_cast<int>(surfaces.size()) - kNamed)
+                        .arg(names);
+        }
+        lines << QStringLiteral("%1: %2").arg(names, in_window_language(why));
+    }
+    return lines;
 }
 
 SuggestionListModel::SuggestionListModel(Workspace& workspace, QObject* parent)
@@ -55,10 +78,7 @@ void SuggestionListModel::list_again() {
     workspace_.read(QStringLiteral("suggestions"), tr("Asking the surfaces"),
                     [this](app::Project& project, Progress& progress) -> JobRunner::Done {
                         app::SuggestionList list = app::list_suggestions(project, progress);
-                        QStringList unused;
-                        for (const app::UnusedSurface& one : list.unused) {
-                            unused << QStringLiteral("%1: %2").arg(qt(one.surface), in_window_language(one.why));
-                        }
+                        const QStringList unused = lines_of_unused(list.unused);
                         auto said = std::make_shared<std::vector<Suggestion>>(std::move(list.suggestions));
                         return [this, said, unused] {
                             unused_ = unused;

@@ -10,6 +10,10 @@
 #include "core/model/suggestion.hpp"
 #include "gui/viewmodels/workspace.hpp"
 
+namespace planum::app {
+struct UnusedSurface;
+}
+
 namespace planum::gui {
 
 /// What the surfaces propose, and what they ask: open ones first, relations before questions. Read in a thread after
@@ -32,7 +36,8 @@ class SuggestionListModel : public QAbstractListModel {
     /// `12 relations proposed, 3 questions`
     [[nodiscard]] QString summary() const;
 
-    /// Surfaces from which nothing, or less than all, could be concluded, and why: a line each.
+    /// Surfaces from which nothing, or less than all, could be concluded: a line for each reason, with those it holds
+    /// for.
     [[nodiscard]] const QStringList& unused() const noexcept { return unused_; }
 
     /// Shows the two units everywhere; -1 closes.
@@ -84,5 +89,9 @@ class SuggestionListModel : public QAbstractListModel {
 };
 
 [[nodiscard]] QString suggestion_state_word(model::SuggestionState state);
+
+/// `2025-06-01, 2025-06-02 and 97 more: no scan is on the site grid`: a line for each reason, in the order they come
+/// first; at most six names.
+[[nodiscard]] QStringList lines_of_unused(const std::vector<app::UnusedSurface>& unused);
 
 } // namespace planum::gui

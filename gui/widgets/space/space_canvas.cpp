@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gui/widgets/space/space_canvas.hpp"
 
-#include <QBuffer>
 #include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QImage>
@@ -15,17 +14,13 @@
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "core/base/error.hpp"
-#include "core/base/file.hpp"
-#include "gui/render/flight.hpp"
 #include "gui/viewmodels/region_shapes.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/theme.hpp"
@@ -34,11 +29,14 @@ namespace planum::gui {
 
 namespace {
 
-constexpr std::uint64_t kMovingPoints = 300'000;
+constexpr std::uint64_t kMovingPoints = 260'000;
 constexpr std::uint64_t kStillPoints = 4'000'000;
 constexpr std::uint64_t kFlightPoints = 1'500'000; // of each frame of a flight: there are hundreds
-constexpr int kSettle = 180;                       // [ms] without a move before the fine set is chosen
-constexpr int kStep = 40; // [ms] of work on the still picture between two looks at what was pressed
+constexpr int kSettle = 180; // [ms] at least without a move before the fine set is chosen; of a slow frame, half as
+                             // long again as it took, else the set is chosen between two moves
+constexpr double kSlowFrame = 70.0; // [ms]: from then on points are drawn smaller while the camera moves
+constexpr const char* kStillLane = "points still";
+constexpr int kStep = 25; // [ms] of work on the still picture between two looks at what was pressed
 constexpr double kClick = 4.0;
 constexpr double kRound = 0.55; // share of the ball around all scans that fit() shows: fences stand far off
 
@@ -117,16 +115,17 @@ QString opengl_trouble() {
     return {};
 }
 
-SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space) : workspace_(workspace), space_(space) {
+SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
+    : workspace_(workspace), space_(space), flight_(workspace.jobs()) {
     setObjectName(QStringLiteral("spaceCanvas"));
     setAccessibleName(tr("The site in 3D"));
     setFormat(wanted_format());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 150);
     settle_.setSingleShot(true);
-    settle_.setInterval(kSettle);
     connect(&settle_, &QTimer::timeout, this, [this] { ask_for_points(SceneRenderer::Slot::Still); });
     connect(&step_, &QTimer::timeout, this, &SpaceCanvas::go_on_with_still);
+    connect(&flight_, &FlightWriter::wanted, this, &SpaceCanvas::show_frame);
     connect(&space_, &SpaceModel::loaded, this, &SpaceCanvas::take_scans);
     connect(&space_, &SpaceModel::outlinesChanged, this, &SpaceCanvas::take_lines);
     connect(&workspace_, &Workspace::snapshotChanged, this, [this] {
@@ -244,27 +243,9 @@ void SpaceCanvas::set_box(const std::array<double, 3>& low, const std::array<dou
     move();
 }
 
-void SpaceCanvas::place_camera() {
-    placed_.push_back(camera_);
-    emit camerasChanged();
-}
-
-void SpaceCanvas::forget_cameras() {
-    placed_.clear();
-    emit camerasChanged();
-}
-
-void SpaceCanvas::fly(const std::filesystem::path& folder, int frames) {
-    if (scans_.empty() || placed_.empty()) return;
-    flight_ = Flight{folder, flight_along(placed_, frames), 0};
-    emit flying(0, static_cast<int>(flight_->way.size()));
-    fly_on();
-}
-
-void SpaceCanvas::fly_on() {
-    if (!flight_) return;
-    if (flight_->next == flight_->way.size()) return end_flight();
-    camera_ = flight_->way[flight_->next];
+// One frame of a flight: the fine points of where the camera is now, nothing else in between.
+void SpaceCanvas::show_frame(const Camera& camera) {
+    camera_ = camera;
     still_ = false;
     step_.stop();
     settle_.stop();
@@ -272,43 +253,13 @@ void SpaceCanvas::fly_on() {
     ask_for_points(SceneRenderer::Slot::Still);
 }
 
-// The frame is on its way to the disk while nothing else is drawn: no frame is lost where the disk is slower.
-void SpaceCanvas::write_frame() {
-    const QImage frame = grabFramebuffer();
-    const std::filesystem::path file = flight_->folder / fmt::format("fly-{:04}.png", flight_->next + 1);
-    workspace_.jobs().start(
-        QStringLiteral("flight"), JobRunner::Queueing::InOrder, tr("Writing %1").arg(qt(file.filename().string())),
-        Job::Kind::Quiet,
-        [this, frame, file](Progress&) -> JobRunner::Done {
-            QByteArray bytes;
-            QBuffer buffer(&bytes);
-            frame.save(&buffer, "PNG");
-            write_file_atomically(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
-            return [this] {
-                if (!flight_) return;
-                ++flight_->next;
-                emit flying(static_cast<int>(flight_->next), static_cast<int>(flight_->way.size()));
-                fly_on();
-            };
-        },
-        [this](const QString& sentence) {
-            end_flight();
-            emit troubled(sentence);
-        });
-}
-
-void SpaceCanvas::end_flight() {
-    if (!flight_) return;
-    const auto written = static_cast<int>(flight_->next);
-    flight_.reset();
-    emit flown(written);
-}
-
+// Choosing fine points for where the camera no longer is would take a core from the driver that draws the moving ones.
 void SpaceCanvas::move() {
-    end_flight();
+    flight_.stop();
+    workspace_.jobs().cancel(QString::fromLatin1(kStillLane));
     still_ = false;
     step_.stop();
-    settle_.start();
+    settle_.start(std::max(kSettle, static_cast<int>(1.5 * frame_ms_)));
     setProperty("busy", true);
     update();
 }
@@ -328,7 +279,7 @@ void SpaceCanvas::go_on_with_still() {
     step_.stop();
     setProperty("busy", false);
     update();
-    if (flight_) write_frame();
+    if (flight_.is_flying()) flight_.take(grabFramebuffer());
 }
 
 void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
@@ -337,13 +288,13 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
     query.camera = camera_;
     query.aspect = aspect();
     query.everywhere = slot == SceneRenderer::Slot::Moving;
-    query.budget = query.everywhere ? kMovingPoints : flight_ ? kFlightPoints : kStillPoints;
+    query.budget = query.everywhere ? kMovingPoints : flight_.is_flying() ? kFlightPoints : kStillPoints;
     query.colour = colour_;
     query.origin = origin_;
     query.height_low = low_;
     query.height_high = high_;
     workspace_.jobs().start(
-        query.everywhere ? QStringLiteral("points moving") : QStringLiteral("points still"),
+        query.everywhere ? QStringLiteral("points moving") : QString::fromLatin1(kStillLane),
         JobRunner::Queueing::Newest, tr("Choosing points"), Job::Kind::Quiet,
         [this, query, slot, scans = scans_, snapshot = workspace_.snapshot(),
          surface = space_.surface()](Progress& progress) mutable -> JobRunner::Done {
@@ -401,7 +352,8 @@ SceneRenderer::Frame SpaceCanvas::frame(SceneRenderer::Slot slot) const {
     frame.slot = slot;
     frame.eye_dome = eye_dome_;
     frame.box = box_;
-    frame.point_pixels = slot == SceneRenderer::Slot::Still ? 2.0F : 2.5F;
+    // Without a graphics card each pixel counts: points of 1.5 instead of 2.5 pixels take half of the time.
+    frame.point_pixels = slot == SceneRenderer::Slot::Still ? 2.0F : slow_ ? 1.5F : 2.5F;
     frame.ground = theme().kind == ThemeKind::Sunlight ? 0xffffffU : 0x24272bU;
     return frame;
 }
@@ -420,6 +372,7 @@ void SpaceCanvas::paintGL() {
     }
     drawn_ = renderer_->points(frame.slot);
     frame_ms_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
+    if (frame.slot == SceneRenderer::Slot::Moving && frame_ms_ > kSlowFrame) slow_ = true;
     emit framed();
 }
 

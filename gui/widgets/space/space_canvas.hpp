@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "gui/render/scene_renderer.hpp"
 #include "gui/viewmodels/space_model.hpp"
 #include "gui/viewmodels/workspace.hpp"
+#include "gui/widgets/space/flight_writer.hpp"
 
 namespace planum::gui {
 
@@ -36,17 +36,13 @@ class SpaceCanvas : public QOpenGLWidget {
     /// Shares of what the scans fill, 0 … 1, along x, y and height: what lies outside is cut away.
     void set_box(const std::array<double, 3>& low, const std::array<double, 3>& high);
 
+    /// Cameras along which the site is flown through; moving the camera by hand ends a flight.
+    [[nodiscard]] FlightWriter& flight() noexcept { return flight_; }
+
     /// Keeps where the camera is now, as the next place of a flight.
-    void place_camera();
-    void forget_cameras();
+    void place_camera() { flight_.place(camera_); }
 
-    [[nodiscard]] std::size_t cameras() const noexcept { return placed_.size(); }
-
-    /// Writes the way along the placed cameras as PNG, `fly-0001.png` and so on, so many frames from each to the next,
-    /// in the size of the view. Moving the camera or another flight ends it. Says flown() at the end.
-    void fly(const std::filesystem::path& folder, int frames);
-
-    [[nodiscard]] bool is_flying() const noexcept { return flight_.has_value(); }
+    [[nodiscard]] bool has_scans() const noexcept { return !scans_.empty(); }
 
     [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
 
@@ -63,11 +59,6 @@ class SpaceCanvas : public QOpenGLWidget {
     void measured(double distance, double rise);
     void troubled(const QString& sentence);
     void framed();
-    /// A flight goes on: frames written of all.
-    void flying(int written, int all);
-    /// It ended with so many frames.
-    void flown(int written);
-    void camerasChanged();
 
   protected:
     void initializeGL() override;
@@ -80,15 +71,7 @@ class SpaceCanvas : public QOpenGLWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    struct Flight {
-        std::filesystem::path folder;
-        std::vector<Camera> way;
-        std::size_t next = 0;
-    };
-
-    void fly_on();
-    void write_frame();
-    void end_flight();
+    void show_frame(const Camera& camera);
 
     [[nodiscard]] bool can_draw() const { return isValid() && renderer_ != nullptr; }
 
@@ -121,10 +104,10 @@ class SpaceCanvas : public QOpenGLWidget {
     bool dragged_ = false;
     std::optional<Eigen::Vector3d> measure_from_;
     SceneBox box_;
-    std::vector<Camera> placed_;
-    std::optional<Flight> flight_;
+    FlightWriter flight_;
     std::size_t drawn_ = 0;
     double frame_ms_ = 0.0;
+    bool slow_ = false; ///< a frame of the moving points took long
 };
 
 } // namespace planum::gui

@@ -47,9 +47,10 @@ void SpaceView::make_canvas() {
     column_->addWidget(canvas_, 1);
     box_->hide();
     connect(box_, &BoxPanel::changed, canvas_, &SpaceCanvas::set_box);
-    connect(canvas_, &SpaceCanvas::flying, this,
+    FlightWriter& flight = canvas_->flight();
+    connect(&flight, &FlightWriter::flying, this,
             [this](int written, int all) { said_->setText(tr("frame %1 of %2").arg(written).arg(all)); });
-    connect(canvas_, &SpaceCanvas::flown, this,
+    connect(&flight, &FlightWriter::flown, this,
             [this](int written) { said_->setText(tr("%n frame(s) written", nullptr, written)); });
     setFocusProxy(canvas_);
     connect(canvas_, &SpaceCanvas::picked, this, [this](double x, double y, double z) {
@@ -58,6 +59,7 @@ void SpaceView::make_canvas() {
     connect(canvas_, &SpaceCanvas::measured, this, [this](double distance, double rise) {
         said_->setText(tr("%1 m apart, %2 m up").arg(distance, 0, 'f', 3).arg(rise, 0, 'f', 3));
     });
+    connect(&flight, &FlightWriter::troubled, &models_.workspace, &Workspace::failed);
     connect(canvas_, &SpaceCanvas::troubled, &models_.workspace, &Workspace::failed);
 }
 
@@ -110,7 +112,7 @@ QToolButton* SpaceView::make_flight_button() {
         ->setObjectName(QStringLiteral("placeCamera"));
     QAction* fly = menu->addAction(tr("Write the flight …"), this, &SpaceView::ask_flight);
     fly->setObjectName(QStringLiteral("writeFlight"));
-    QAction* forget = menu->addAction(tr("Forget the cameras"), canvas_, &SpaceCanvas::forget_cameras);
+    QAction* forget = menu->addAction(tr("Forget the cameras"), &canvas_->flight(), &FlightWriter::forget);
     forget->setObjectName(QStringLiteral("forgetCameras"));
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("spaceFlight"));
@@ -118,12 +120,12 @@ QToolButton* SpaceView::make_flight_button() {
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(tr("A flight along placed cameras, as numbered pictures"));
     const auto say = [this, button, fly, forget] {
-        const auto n = static_cast<int>(canvas_->cameras());
+        const auto n = static_cast<int>(canvas_->flight().placed().size());
         button->setText(n == 0 ? tr("Flight") : tr("Flight (%1)").arg(n));
         fly->setEnabled(n > 0);
         forget->setEnabled(n > 0);
     };
-    connect(canvas_, &SpaceCanvas::camerasChanged, this, say);
+    connect(&canvas_->flight(), &FlightWriter::placedChanged, this, say);
     say();
     return button;
 }
@@ -136,7 +138,8 @@ void SpaceView::ask_flight() {
                                              true}});
     if (chosen.isEmpty()) return;
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the frames"));
-    if (!folder.isEmpty()) canvas_->fly(folder.toStdString(), std::clamp(chosen[0].toInt(), 1, 2000));
+    if (!folder.isEmpty() && canvas_->has_scans())
+        canvas_->flight().start(folder.toStdString(), std::clamp(chosen[0].toInt(), 1, 2000));
 }
 
 void SpaceView::showEvent(QShowEvent* event) {

@@ -112,7 +112,6 @@ void SuggestionPanel::show_summary() {
     const bool open = models_.workspace.is_open();
     summary_->setText(open && !suggestions_.is_listed() ? tr("asking the surfaces …") : suggestions_.summary());
     compile_->setEnabled(open && models_.workspace.read_only_because().isEmpty() && suggestions_.rowCount() > 0);
-    if (suggestions_.suggestion() == nullptr) show_detail();
 }
 
 QWidget* SuggestionPanel::make_answers() {
@@ -151,7 +150,7 @@ void SuggestionPanel::show_detail() {
         column->addWidget(text_label(tr("Choose a suggestion: its units show in every view."), "faint"));
         if (!suggestions_.unused().isEmpty())
             column->addWidget(text_label(tr("Said nothing, or less than all"), "heading"));
-        // One label: a hundred of them would take longer to lay out than a key may wait.
+        // One label: many of them would take longer to lay out than a key may wait.
         column->addWidget(text_label(suggestions_.unused().join(QLatin1Char('\n')), "faint"));
     } else {
         column->addWidget(text_label(suggestions_.title(), "title"));

@@ -22,25 +22,48 @@ JobSign::JobSign(JobRunner& jobs)
     row->addWidget(bar_);
     row->addWidget(cancel_);
     connect(cancel_, &QPushButton::clicked, &jobs_, &JobRunner::cancel_all);
+    patience_.setSingleShot(true);
+    patience_.setInterval(1000);
+    connect(&patience_, &QTimer::timeout, this, &JobSign::say);
     connect(&jobs_, &JobRunner::changed, this, &JobSign::refresh);
     refresh();
 }
 
-void JobSign::refresh() {
-    const Job* shown = nullptr;
+const Job* JobSign::worth_saying() const {
+    const Job* best = nullptr;
     for (const auto& job : jobs_.jobs()) {
-        if (shown == nullptr || (shown->kind() == Job::Kind::Quiet && job->kind() == Job::Kind::Asked))
-            shown = job.get();
+        if (best == nullptr || (best->kind() == Job::Kind::Quiet && job->kind() == Job::Kind::Asked)) best = job.get();
     }
-    setVisible(shown != nullptr);
-    if (shown == nullptr) return;
-    QString text = shown->title();
-    if (!shown->step().isEmpty()) text += QStringLiteral(": ") + shown->step();
-    if (shown->is_cancelling()) text = tr("stopping …");
+    return best;
+}
+
+void JobSign::refresh() {
+    const Job* job = worth_saying();
+    if (job == nullptr) {
+        patience_.stop();
+        hide();
+    } else if (job->kind() == Job::Kind::Asked || !isHidden()) {
+        say();
+    } else if (!patience_.isActive()) {
+        patience_.start();
+    }
+}
+
+void JobSign::say() {
+    const Job* job = worth_saying();
+    if (job == nullptr) return;
+    QString text = job->title();
+    if (!job->step().isEmpty()) text += QStringLiteral(": ") + job->step();
+    if (job->is_cancelling()) text = tr("stopping …");
     text_->setText(text);
-    bar_->setRange(0, shown->fraction() < 0.0 ? 0 : 100);
-    bar_->setValue(static_cast<int>(100.0 * shown->fraction()));
-    cancel_->setVisible(shown->kind() == Job::Kind::Asked);
+    // A bar that only runs to and fro is redrawn thirty times a second, and with 3D in the window the graphics driver
+    // puts all of it together each time: without a graphics card that is half of the machine.
+    const bool known = job->fraction() >= 0.0;
+    bar_->setVisible(known || job->kind() == Job::Kind::Asked);
+    bar_->setRange(0, known ? 100 : 0);
+    bar_->setValue(static_cast<int>(100.0 * job->fraction()));
+    cancel_->setVisible(job->kind() == Job::Kind::Asked);
+    show();
 }
 
 } // namespace planum::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -9,9 +10,11 @@ class QPushButton;
 
 namespace planum::gui {
 
+class Job;
 class JobRunner;
 
-/// The job under way in the status bar: its name and step, how far it is, and a button that stops it.
+/// The job under way in the status bar: its name and step, how far it is, and a button that stops it. What nobody asked
+/// for by name is said only when it takes more than a second.
 class JobSign : public QWidget {
     Q_OBJECT
 
@@ -20,8 +23,12 @@ class JobSign : public QWidget {
 
   private:
     void refresh();
+    void say();
+    /// Something asked for before anything quiet; nullptr: nothing runs.
+    [[nodiscard]] const Job* worth_saying() const;
 
     JobRunner& jobs_;
+    QTimer patience_; ///< runs from when quiet work began to when it is said
     QLabel* text_;
     QProgressBar* bar_;
     QPushButton* cancel_;

@@ -220,10 +220,10 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
         hands.find<QAction>("placeCamera")->trigger();
         for (int i = 0; i < 3; ++i) QTest::keyClick(space, Qt::Key_Left);
         hands.find<QAction>("placeCamera")->trigger();
-        CHECK(space->cameras() == 2);
+        CHECK(space->flight().placed().size() == 2);
         fs::create_directories(folder / "flight");
-        QSignalSpy flown(space, &SpaceCanvas::flown);
-        space->fly(folder / "flight", 2);
+        QSignalSpy flown(&space->flight(), &FlightWriter::flown);
+        space->flight().start(folder / "flight", 2);
         REQUIRE(flown.wait(60'000));
         for (const char* frame : {"fly-0001.png", "fly-0002.png", "fly-0003.png"}) {
             const QImage picture(text(folder / "flight" / frame));

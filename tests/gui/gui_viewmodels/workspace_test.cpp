@@ -169,3 +169,30 @@ TEST_CASE("Closing while a job runs stops it and leaves the project as it was") 
     }
     CHECK(site.reopened().record().units.size() == 3);
 }
+
+TEST_CASE("A lane that is cancelled says nothing, neither what ran nor what waited, and others go on") {
+    Open open;
+    std::atomic<bool> runs = false;
+    std::vector<int> outcomes;
+    JobRunner& jobs = open.workspace.jobs();
+    const auto start = [&](const QString& lane, JobRunner::Work work) {
+        jobs.start(lane, JobRunner::Queueing::InOrder, {}, Job::Kind::Quiet, std::move(work),
+                   [&](const QString& sentence) { open.failures << sentence; });
+    };
+    start(QStringLiteral("given up"), [&](Progress& progress) -> JobRunner::Done {
+        runs = true;
+        while (!progress.stop_token().stop_requested()) std::this_thread::yield();
+        return [&] { outcomes.push_back(1); };
+    });
+    start(QStringLiteral("given up"), [&](Progress&) -> JobRunner::Done { return [&] { outcomes.push_back(2); }; });
+    start(QStringLiteral("other"), [&](Progress&) -> JobRunner::Done { return [&] { outcomes.push_back(3); }; });
+    while (!runs) std::this_thread::yield();
+    jobs.cancel(QStringLiteral("given up"));
+    jobs.cancel(QStringLiteral("never heard of"));
+    settle(open.workspace);
+    CHECK(outcomes == std::vector<int>{3});
+    CHECK(open.failures.isEmpty());
+    start(QStringLiteral("given up"), [&](Progress&) -> JobRunner::Done { return [&] { outcomes.push_back(4); }; });
+    settle(open.workspace);
+    CHECK(outcomes == std::vector<int>{3, 4});
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QImage>
+#include <QObject>
+
+#include <filesystem>
+#include <vector>
+
+#include "gui/render/camera.hpp"
+#include "gui/viewmodels/job.hpp"
+
+namespace planum::gui {
+
+/// The cameras of a flight, and its frames on their way to the disk: it says which camera is next, somebody draws what
+/// that sees and hands the picture in.
+class FlightWriter : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit FlightWriter(JobRunner& jobs) : jobs_(jobs) {}
+
+    /// Keeps a camera as the next place of the flight.
+    void place(const Camera& camera);
+    void forget();
+
+    [[nodiscard]] const std::vector<Camera>& placed() const noexcept { return placed_; }
+
+    /// Begins the way along the placed cameras, so many frames from each to the next, as `fly-0001.png` and so on in
+    /// `folder`. Another flight that goes on is given up; without a camera nothing happens.
+    void start(const std::filesystem::path& folder, int frames);
+    /// Ends it with the frames that are written; nothing where none goes on.
+    void stop();
+
+    [[nodiscard]] bool is_flying() const noexcept { return !way_.empty(); }
+
+    /// The picture of the camera that wanted() named.
+    void take(const QImage& frame);
+
+  signals:
+    void placedChanged();
+    /// The next picture: take() is waited for.
+    void wanted(const planum::gui::Camera& camera);
+    /// Frames written of all.
+    void flying(int written, int all);
+    /// It ended with so many frames.
+    void flown(int written);
+    void troubled(const QString& sentence);
+
+  private:
+    void go_on();
+
+    JobRunner& jobs_;
+    std::vector<Camera> placed_;
+    std::filesystem::path folder_;
+    std::vector<Camera> way_; ///< empty: no flight goes on
+    std::size_t next_ = 0;
+    std::size_t flight_ = 0; ///< counts flights: a frame of an earlier one that reaches the disk late moves nothing on
+};
+
+} // namespace planum::gui
