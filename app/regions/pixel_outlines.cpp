@@ -119,7 +119,6 @@ class Follower {
         return ground;
     }
 
-  private:
     [[nodiscard]] Line3 piece(const geometry::Point3& a, const geometry::Point3& b) const {
         Line3 line = {corner(a)};
         const double pixels = std::hypot(b[0] - a[0], b[1] - a[1]);
@@ -134,6 +133,7 @@ class Follower {
         return geometry::simplified(line, kSimplified);
     }
 
+  private:
     [[nodiscard]] std::optional<geometry::Point3> seen(double u, double v) const {
         const bool inside = u >= 0.0 && v >= 0.0 && u < panorama_.width() && v < panorama_.height();
         if (!inside) return std::nullopt;
@@ -221,6 +221,11 @@ MultiPolygon outline_under_pixels(const scans::Panorama& panorama, const geometr
         shape.push_back(std::move(ground));
     }
     return shape;
+}
+
+Line3 line_under_pixels(const scans::Panorama& panorama, const geometry::Rigid3& site_from_scan,
+                        const geometry::Point3& from, const geometry::Point3& to) {
+    return Follower(panorama, site_from_scan).piece(from, to);
 }
 
 OutlineFile outlines_from_pixels(Project& project, const std::vector<PixelPicture>& pictures, Progress& progress) {

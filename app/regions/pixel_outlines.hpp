@@ -36,6 +36,10 @@ struct PixelPicture {
                                                           const geometry::Rigid3& site_from_scan,
                                                           const geometry::MultiPolygon& in_pixels);
 
+/// One line between two pixels on the ground, in the same way; both ends are in it.
+[[nodiscard]] geometry::Line3 line_under_pixels(const scans::Panorama& panorama, const geometry::Rigid3& site_from_scan,
+                                                const geometry::Point3& from, const geometry::Point3& to);
+
 /// All outlines in site coordinates, on the surfaces of their scans. Scans without a pose and outlines over nothing
 /// become notes. Throws NotFound for a scan that is not in the project.
 [[nodiscard]] OutlineFile outlines_from_pixels(Project& project, const std::vector<PixelPicture>& pictures,

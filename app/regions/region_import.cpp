@@ -287,7 +287,9 @@ RegionImportReport import_outlines(Project& project, const OutlineFile& file, co
         throw Error(ErrorCode::BadInput, first.where.empty() ? first.message : first.where + ": " + first.message);
     }
     if (!options.dry_run && report.changed) {
-        project.change(fmt::format("Import {} outlines", importer.taken()),
+        const std::string counted =
+            fmt::format("Import {} outline{}", importer.taken(), importer.taken() == 1 ? "" : "s");
+        project.change(options.label.empty() ? counted : options.label,
                        [&] { importer.draft().write(project.file()); });
     }
     return report;

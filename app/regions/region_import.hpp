@@ -17,8 +17,9 @@ struct RegionImportOptions {
     bool create_units = false; ///< make the units that outlines name and the record has not
     bool update = false;       ///< redrawn outlines and differing fields replace those of the project
     bool dry_run = false;
-    std::string area; ///< of outlines that name none
-    std::string day;  ///< of outlines that name neither day nor surface
+    std::string area;  ///< of outlines that name none
+    std::string day;   ///< of outlines that name neither day nor surface
+    std::string label; ///< of the undo step; empty: `Import 3 outlines`
 };
 
 /// A number that no unit has.

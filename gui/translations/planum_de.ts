@@ -995,6 +995,53 @@
         <source>Esc; can be taken back</source>
         <translation>Esc; kann zurückgenommen werden</translation>
     </message>
+    <message>
+        <source>Change an outline</source>
+        <translation>Umriss ändern</translation>
+    </message>
+    <message>
+        <source>Moves, sets and takes away corners of an outline that is there</source>
+        <translation>Verschiebt, setzt und entfernt Ecken eines vorhandenen Umrisses</translation>
+    </message>
+    <message>
+        <source>Corner away</source>
+        <translation>Ecke weg</translation>
+    </message>
+    <message>
+        <source>Takes the chosen corner away (Delete, or the right button on it)</source>
+        <translation>Nimmt die gewählte Ecke weg (Entf, oder die rechte Taste darauf)</translation>
+    </message>
+    <message>
+        <source>Step back</source>
+        <translation>Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Takes the last change of this outline back (Ctrl+Z)</source>
+        <translation>Nimmt die letzte Änderung dieses Umrisses zurück (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Keeps the outline as it is now (Enter)</source>
+        <translation>Behält den Umriss, wie er jetzt ist (Eingabe)</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::OutlineEdit</name>
+    <message>
+        <source>Change an outline</source>
+        <translation>Umriss ändern</translation>
+    </message>
+    <message>
+        <source>Choose the outline that shall be changed: click into it.</source>
+        <translation>Den Umriss wählen, der geändert werden soll: hineinklicken.</translation>
+    </message>
+    <message>
+        <source>This outline cannot be seen here.</source>
+        <translation>Dieser Umriss ist hier nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>Drag a corner, or the middle of a line for a new one; Delete takes a corner away.</source>
+        <translation>Eine Ecke ziehen, oder die Mitte einer Linie für eine neue; Entf nimmt eine Ecke weg.</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::OutlineTool</name>

@@ -995,6 +995,53 @@
         <source>Esc; can be taken back</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Change an outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves, sets and takes away corners of an outline that is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corner away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the chosen corner away (Delete, or the right button on it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the last change of this outline back (Ctrl+Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the outline as it is now (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::OutlineEdit</name>
+    <message>
+        <source>Change an outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the outline that shall be changed: click into it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This outline cannot be seen here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a corner, or the middle of a line for a new one; Delete takes a corner away.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::OutlineTool</name>

@@ -3,6 +3,7 @@
 
 #include "gui/viewmodels/day_jobs.hpp"
 #include "gui/viewmodels/inquiry.hpp"
+#include "gui/viewmodels/outline_edit.hpp"
 #include "gui/viewmodels/outline_tool.hpp"
 #include "gui/viewmodels/problem_list_model.hpp"
 #include "gui/viewmodels/relation_entry_model.hpp"
@@ -27,6 +28,7 @@ struct Models {
     ProblemListModel problems{workspace};
     TimeModel time{workspace};
     OutlineTool outline{workspace};
+    OutlineEdit edit{workspace};
     DayJobs day{workspace};
     Inquiry inquiry{workspace};
 };

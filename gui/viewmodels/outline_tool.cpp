@@ -116,6 +116,7 @@ void OutlineTool::finish() {
             }
             app::RegionImportOptions options;
             options.create_units = true;
+            options.label = labels.unit.empty() ? "Draw an outline" : "Draw an outline of " + labels.unit;
             options.update = true; // a line drawn over the old one replaces it
             const app::RegionImportReport report = app::import_outlines(project, file, options);
             if (!report.refused.empty()) throw Error(ErrorCode::BadInput, report.refused.front().message);

@@ -206,6 +206,31 @@ QString PanoramaModel::why_no_ground() const {
                : tr("This scan is not on the site grid yet: register it, then outlines can be drawn.");
 }
 
+EditGround PanoramaModel::edit_ground() const {
+    if (!loaded_ || !loaded_->site_from_scan) return {};
+    EditGround ground;
+    ground.straight = 3.0;
+    ground.period = loaded_->panorama.width();
+    ground.to_view = [loaded = loaded_](const geometry::Point3& x_in_site) -> std::optional<QPointF> {
+        if (x_in_site[2] == 0.0) return std::nullopt; // drawn in plan: without height it cannot be seen
+        const Eigen::Vector3d x_in_scan = loaded->site_from_scan->inverse() * Eigen::Vector3d(x_in_site.data());
+        const auto pixel = loaded->panorama.projection().pixel_of(x_in_scan);
+        return pixel ? std::optional(QPointF(pixel->x(), pixel->y())) : std::nullopt;
+    };
+    ground.to_site = [loaded = loaded_](QPointF from, QPointF to) {
+        const geometry::Point3 a = {from.x(), from.y(), 0.0};
+        const geometry::Point3 b = {to.x(), to.y(), 0.0};
+        const auto follow = [&](const geometry::Point3& start, const geometry::Point3& end) {
+            return app::line_under_pixels(loaded->panorama, *loaded->site_from_scan, start, end);
+        };
+        // Over the border of the picture, where a line would run around the horizon the other way.
+        if (std::abs(a[0] - b[0]) > loaded->panorama.width() / 2.0)
+            return geometry::Line3{follow(a, a).front(), follow(b, b).front()};
+        return follow(a, b);
+    };
+    return ground;
+}
+
 OutlineTool::ToOutlines PanoramaModel::ground() const {
     if (!loaded_ || !loaded_->site_from_scan) return {};
     return [loaded = loaded_](app::Project&, const app::DrawnOutline& labels, const PointList& corners, Progress&) {

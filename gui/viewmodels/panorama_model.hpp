@@ -15,6 +15,7 @@
 #include "app/scans/scan_panorama.hpp"
 #include "core/geometry/rigid.hpp"
 #include "core/model/scan.hpp"
+#include "gui/viewmodels/outline_edit.hpp"
 #include "gui/viewmodels/outline_tool.hpp"
 #include "gui/viewmodels/region_shapes.hpp"
 #include "gui/viewmodels/workspace.hpp"
@@ -65,6 +66,8 @@ class PanoramaModel : public QObject {
 
     /// How corners in pixels become an outline on the ground; empty where they cannot, because of why().
     [[nodiscard]] OutlineTool::ToOutlines ground() const;
+    /// The same for outlines that are changed.
+    [[nodiscard]] EditGround edit_ground() const;
     [[nodiscard]] QString why_no_ground() const;
 
   signals:

@@ -148,8 +148,11 @@ bool Workspace::may_write() {
 
 void Workspace::edit(const QString& title, Edit work, std::function<void()> done, Job::Kind kind) {
     if (!may_write()) return;
-    auto in_thread = [this, holder = holder_, work = std::move(work),
+    auto in_thread = [this, holder = holder_, path = file_, session = session_, work = std::move(work),
                       done = std::move(done)](Progress& progress) -> JobRunner::Done {
+        // What another program wrote a moment ago is not seen yet: a record changed as it was read before would take
+        // it back.
+        if (stamp_of(path) != holder->seen) holder->project.emplace(app::Project::open(path, holder->mode, session));
         work(*holder->project, progress);
         holder->note_time();
         return [this, holder, done, snapshot = app::take_snapshot(*holder->project)]() mutable {

@@ -58,7 +58,8 @@ QRectF moved_aside(const QRectF& box, const QPainterPath& region, const QList<QR
 
 } // namespace
 
-FlatCanvas::FlatCanvas(Models& models, const QString& name, Up up) : models_(models), name_(name), up_(up) {
+FlatCanvas::FlatCanvas(Models& models, const QString& name, Up up)
+    : models_(models), name_(name), up_(up), handles_(models.edit) {
     setObjectName(name + QStringLiteral("Canvas"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -67,6 +68,7 @@ FlatCanvas::FlatCanvas(Models& models, const QString& name, Up up) : models_(mod
     connect(&models_.workspace, &Workspace::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&models_.workspace, &Workspace::proofChanged, this, qOverload<>(&QWidget::update));
     connect(&models_.outline, &OutlineTool::changed, this, qOverload<>(&QWidget::update));
+    connect(&models_.edit, &OutlineEdit::changed, this, qOverload<>(&QWidget::update));
 }
 
 void FlatCanvas::set_shapes(std::vector<RegionShape> shapes) {
@@ -101,9 +103,13 @@ void FlatCanvas::zoom(double factor, QPointF around) {
 
 bool FlatCanvas::is_drawing() const { return models_.outline.is_active(name_); }
 
+bool FlatCanvas::is_changing() const { return models_.edit.is_active(name_); }
+
 QPointF FlatCanvas::snapped(QPointF on_screen) const {
     const QPointF place = to_place(on_screen);
-    return snap(shapes_, place, kSnap / scale_).value_or(place);
+    const double near = kSnap / scale_;
+    return (is_changing() ? snap(handles_.neighbours(shapes_), place, near) : snap(shapes_, place, near))
+        .value_or(place);
 }
 
 void FlatCanvas::paint_shapes(QPainter& painter) const {
@@ -192,6 +198,7 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     paint_over(painter);
     paint_labels(painter);
     paint_tool(painter);
+    if (is_changing()) handles_.paint(painter, view(), pointer_);
 }
 
 void FlatCanvas::wheelEvent(QWheelEvent* event) {
@@ -201,6 +208,7 @@ void FlatCanvas::wheelEvent(QWheelEvent* event) {
 
 void FlatCanvas::mousePressEvent(QMouseEvent* event) {
     setFocus();
+    if (is_changing() && event->button() == Qt::LeftButton && handles_.press(view(), event->position())) return;
     pressed_ = event->position();
     origin_when_pressed_ = origin_;
     dragging_ = false;
@@ -209,17 +217,19 @@ void FlatCanvas::mousePressEvent(QMouseEvent* event) {
 void FlatCanvas::mouseMoveEvent(QMouseEvent* event) {
     pointer_ = event->position();
     emit hovered(to_place(pointer_));
+    if (is_changing() && handles_.drag(snapped(pointer_))) return;
     if (pressed_ && (dragging_ || (pointer_ - *pressed_).manhattanLength() >= QApplication::startDragDistance())) {
         dragging_ = true;
         fitted_ = false;
         origin_ = origin_when_pressed_ + (pointer_ - *pressed_);
         update();
     }
-    if (is_drawing()) update();
+    if (is_drawing() || is_changing()) update();
     setCursor(is_drawing() ? Qt::CrossCursor : dragging_ ? Qt::ClosedHandCursor : Qt::ArrowCursor);
 }
 
 void FlatCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (handles_.release()) return;
     const bool click = pressed_ && !dragging_;
     pressed_.reset();
     dragging_ = false;
@@ -231,15 +241,17 @@ void FlatCanvas::mouseReleaseEvent(QMouseEvent* event) {
         return closes ? tool.finish() : tool.add(snapped(event->position()));
     }
     const RegionShape* under = region_under(shapes_, to_place(event->position()));
+    if (is_changing()) return handles_.click(view(), *event, under);
     if (under != nullptr && !under->unit.is_nil()) models_.workspace.select(under->unit);
 }
 
 void FlatCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!is_drawing()) zoom(1.8, event->position());
+    if (!is_drawing() && !is_changing()) zoom(1.8, event->position());
 }
 
 void FlatCanvas::keyPressEvent(QKeyEvent* event) {
     const QPointF middle = QRectF(rect()).center();
+    if (is_changing() && handles_.key(*event)) return;
     if (is_drawing()) {
         OutlineTool& tool = models_.outline;
         if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return tool.finish();
@@ -272,7 +284,7 @@ void FlatCanvas::resizeEvent(QResizeEvent* event) {
 
 bool FlatCanvas::event(QEvent* event) {
     // Ctrl+Z takes a corner back while somebody draws, not the last change of the record.
-    if (event->type() == QEvent::ShortcutOverride && is_drawing()) {
+    if (event->type() == QEvent::ShortcutOverride && (is_drawing() || is_changing())) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
             event->accept();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/viewmodels/region_shapes.hpp"
+#include "gui/widgets/flat/outline_handles.hpp"
 
 namespace planum::gui {
 
@@ -16,7 +17,8 @@ struct Models;
 
 /// A flat picture of ground to look at and to draw on: plan, section and panorama are this with different grounds.
 /// Places are metres with y upwards, or pixels with y downwards. Wheel and pinch zoom at the pointer, dragging moves,
-/// also while drawing; a click selects, or sets a corner while the outline tool is up.
+/// also while drawing; a click selects, or sets a corner while the outline tool is up. While an outline is changed, its
+/// corners are dragged.
 class FlatCanvas : public QWidget {
     Q_OBJECT
 
@@ -75,6 +77,7 @@ class FlatCanvas : public QWidget {
     void paint_labels(QPainter& painter) const;
     void paint_tool(QPainter& painter) const;
     [[nodiscard]] bool is_drawing() const;
+    [[nodiscard]] bool is_changing() const;
     [[nodiscard]] QPointF snapped(QPointF on_screen) const;
 
     Models& models_;
@@ -87,6 +90,7 @@ class FlatCanvas : public QWidget {
     std::optional<QPointF> pressed_;
     QPointF origin_when_pressed_;
     QPointF pointer_;
+    OutlineHandles handles_;
     bool dragging_ = false;
 };
 

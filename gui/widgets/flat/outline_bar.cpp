@@ -16,14 +16,21 @@
 namespace planum::gui {
 
 OutlineBar::OutlineBar(Models& models, const QString& view)
-    : models_(models), view_(view), draw_(new QToolButton), unit_(new QLineEdit), category_(new QComboBox),
-      shows_(new QComboBox), back_(new QToolButton), finish_(new QToolButton), cancel_(new QToolButton),
-      sentence_(new QLabel) {
+    : models_(models), view_(view), draw_(new QToolButton), change_(new QToolButton), remove_(new QToolButton),
+      unit_(new QLineEdit), category_(new QComboBox), shows_(new QComboBox), back_(new QToolButton),
+      finish_(new QToolButton), cancel_(new QToolButton), sentence_(new QLabel) {
     using model::RegionCategory;
     using model::RegionShows;
     draw_->setText(tr("Draw an outline"));
     draw_->setCheckable(true);
     draw_->setObjectName(view + QStringLiteral("Draw"));
+    change_->setText(tr("Change an outline"));
+    change_->setToolTip(tr("Moves, sets and takes away corners of an outline that is there"));
+    change_->setCheckable(true);
+    change_->setObjectName(view + QStringLiteral("Change"));
+    remove_->setText(tr("Corner away"));
+    remove_->setToolTip(tr("Takes the chosen corner away (Delete, or the right button on it)"));
+    remove_->setObjectName(view + QStringLiteral("RemoveCorner"));
     unit_->setObjectName(view + QStringLiteral("OutlineUnit"));
     unit_->setPlaceholderText(tr("unit"));
     unit_->setAccessibleName(tr("Unit of the outline"));
@@ -40,11 +47,9 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
                              RegionShows::Machine, RegionShows::Face, RegionShows::Nothing}) {
         shows_->addItem(shows_word(shows), static_cast<int>(shows));
     }
-    back_->setText(tr("Corner back"));
-    back_->setToolTip(tr("Takes the last corner back (Backspace, Ctrl+Z); brings a cancelled outline back"));
+    back_->setObjectName(view + QStringLiteral("Back"));
     finish_->setText(tr("Finish"));
     finish_->setObjectName(view + QStringLiteral("Finish"));
-    finish_->setToolTip(tr("Closes the outline (Enter, or a click on the first corner)"));
     cancel_->setText(tr("Cancel"));
     cancel_->setToolTip(tr("Esc; can be taken back"));
     sentence_->setProperty("role", "faint");
@@ -56,7 +61,8 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
     setLayout(row);
     row->setContentsMargins(8, 6, 8, 6);
     row->addWidget(draw_);
-    for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_, back_, finish_, cancel_}) {
+    row->addWidget(change_);
+    for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_, remove_, back_, finish_, cancel_}) {
         part->setMinimumHeight(theme().touch);
         row->addWidget(part);
     }
@@ -71,23 +77,39 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
         const int value = shows_->currentData().toInt();
         models_.outline.set_shows(value < 0 ? std::nullopt : std::optional(static_cast<model::RegionShows>(value)));
     });
-    connect(back_, &QToolButton::clicked, &tool, &OutlineTool::take_back);
-    connect(finish_, &QToolButton::clicked, &tool, &OutlineTool::finish);
-    connect(cancel_, &QToolButton::clicked, &tool, &OutlineTool::cancel);
+    OutlineEdit& edit = models_.edit;
+    connect(change_, &QToolButton::clicked, this, &OutlineBar::toggle_change);
+    connect(remove_, &QToolButton::clicked, this, [&edit] {
+        if (edit.can_remove()) edit.remove(*edit.held());
+    });
+    connect(back_, &QToolButton::clicked, this,
+            [this] { is_changing() ? models_.edit.take_back() : models_.outline.take_back(); });
+    connect(finish_, &QToolButton::clicked, this,
+            [this] { is_changing() ? models_.edit.finish() : models_.outline.finish(); });
+    connect(cancel_, &QToolButton::clicked, this,
+            [this] { is_changing() ? models_.edit.cancel() : models_.outline.cancel(); });
     connect(&tool, &OutlineTool::changed, this, &OutlineBar::refresh);
+    connect(&edit, &OutlineEdit::changed, this, &OutlineBar::refresh);
     connect(&models_.workspace, &Workspace::snapshotChanged, this, &OutlineBar::refresh);
     refresh();
 }
 
-void OutlineBar::set_ground(OutlineTool::ToOutlines to_outlines, const QString& why) {
+bool OutlineBar::is_drawing() const { return models_.outline.is_active(view_); }
+
+bool OutlineBar::is_changing() const { return models_.edit.is_active(view_); }
+
+void OutlineBar::set_ground(OutlineTool::ToOutlines to_outlines, const QString& why, EditGround edit) {
     to_outlines_ = std::move(to_outlines);
+    edit_ground_ = std::move(edit);
     why_not_ = why;
     // What was begun on another ground belongs there.
-    if (models_.outline.is_active(view_)) models_.outline.end();
+    if (is_drawing()) models_.outline.end();
+    if (is_changing()) models_.edit.end();
     refresh();
 }
 
 void OutlineBar::toggle(bool draw) {
+    models_.edit.end();
     if (draw && to_outlines_) {
         models_.outline.begin(view_, to_outlines_);
     } else {
@@ -95,22 +117,43 @@ void OutlineBar::toggle(bool draw) {
     }
 }
 
+void OutlineBar::toggle_change(bool change) {
+    models_.outline.end();
+    if (change && edit_ground_.to_view) {
+        models_.edit.begin(view_, edit_ground_);
+    } else {
+        models_.edit.end();
+    }
+}
+
 void OutlineBar::refresh() {
     const OutlineTool& tool = models_.outline;
-    const bool active = tool.is_active(view_);
+    const OutlineEdit& edit = models_.edit;
+    const bool drawing = is_drawing();
+    const bool changing = is_changing();
     const bool writable = models_.workspace.is_open() && models_.workspace.read_only_because().isEmpty();
-    draw_->setChecked(active);
+    draw_->setChecked(drawing);
     draw_->setEnabled(writable && static_cast<bool>(to_outlines_));
+    change_->setChecked(changing);
+    change_->setEnabled(writable && static_cast<bool>(edit_ground_.to_view));
     if (unit_->text() != tool.unit()) unit_->setText(tool.unit());
     unit_->setEnabled(tool.category() == model::RegionCategory::Unit);
     category_->setCurrentIndex(category_->findData(static_cast<int>(tool.category())));
     shows_->setCurrentIndex(shows_->findData(tool.shows() ? static_cast<int>(*tool.shows()) : -1));
-    for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_, back_, finish_, cancel_}) {
-        part->setVisible(active);
-    }
-    finish_->setEnabled(tool.can_finish());
-    sentence_->setText(active ? tool.unit_sentence() : why_not_);
-    sentence_->setVisible(active || !why_not_.isEmpty());
+    for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_}) part->setVisible(drawing);
+    for (QWidget* part : std::initializer_list<QWidget*>{back_, finish_, cancel_})
+        part->setVisible(drawing || changing);
+    remove_->setVisible(changing);
+    remove_->setEnabled(edit.can_remove());
+    back_->setText(changing ? tr("Step back") : tr("Corner back"));
+    back_->setToolTip(changing ? tr("Takes the last change of this outline back (Ctrl+Z)")
+                               : tr("Takes the last corner back (Backspace, Ctrl+Z); brings a cancelled outline back"));
+    back_->setEnabled(!changing || edit.is_changed());
+    finish_->setToolTip(changing ? tr("Keeps the outline as it is now (Enter)")
+                                 : tr("Closes the outline (Enter, or a click on the first corner)"));
+    finish_->setEnabled(changing ? edit.is_changed() : tool.can_finish());
+    sentence_->setText(changing ? edit.sentence() : drawing ? tool.unit_sentence() : why_not_);
+    sentence_->setVisible(drawing || changing || !why_not_.isEmpty());
 }
 
 } // namespace planum::gui

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "gui/viewmodels/outline_edit.hpp"
 #include "gui/viewmodels/outline_tool.hpp"
 
 class QComboBox;
@@ -14,25 +15,33 @@ namespace planum::gui {
 
 struct Models;
 
-/// The outline tool above a flat view: draw, which unit, what it is, what it shows; last corner back, finish, cancel.
+/// The outline tool above a flat view: draw, which unit, what it is, what it shows; change an outline, a corner away;
+/// last step back, finish, cancel.
 class OutlineBar : public QWidget {
     Q_OBJECT
 
   public:
     OutlineBar(Models& models, const QString& view);
 
-    /// How corners of this view become outlines; without one nothing can be drawn, because of `why`.
-    void set_ground(OutlineTool::ToOutlines to_outlines, const QString& why = {});
+    /// How corners of this view become outlines and outlines corners; without one nothing can be drawn, because of
+    /// `why`.
+    void set_ground(OutlineTool::ToOutlines to_outlines, const QString& why = {}, EditGround edit = {});
 
   private:
     void refresh();
     void toggle(bool draw);
+    void toggle_change(bool change);
+    [[nodiscard]] bool is_drawing() const;
+    [[nodiscard]] bool is_changing() const;
 
     Models& models_;
     QString view_;
     OutlineTool::ToOutlines to_outlines_;
+    EditGround edit_ground_;
     QString why_not_;
     QToolButton* draw_;
+    QToolButton* change_;
+    QToolButton* remove_;
     QLineEdit* unit_;
     QComboBox* category_;
     QComboBox* shows_;

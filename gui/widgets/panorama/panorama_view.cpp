@@ -111,7 +111,7 @@ void PanoramaView::refresh() {
     scan_->setEnabled(!names.isEmpty());
     if (ground_of_ != panorama_.loaded().get()) {
         ground_of_ = panorama_.loaded().get();
-        bar_->set_ground(panorama_.ground(), panorama_.why_no_ground());
+        bar_->set_ground(panorama_.ground(), panorama_.why_no_ground(), panorama_.edit_ground());
     }
     canvas_->refresh();
 }

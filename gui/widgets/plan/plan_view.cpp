@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include <cmath>
+#include <limits>
 
 #include "app/scans/scan_stores.hpp"
 #include "gui/viewmodels/models.hpp"
@@ -194,7 +195,20 @@ void PlanView::refresh() {
             return app::OutlineFile{{outline}, {}};
         };
     }
-    bar_->set_ground(std::move(ground), surface.is_nil() ? tr("There is no surface to draw on yet.") : QString());
+    EditGround edit;
+    if (!surface.is_nil()) {
+        edit.to_view = [](const geometry::Point3& x_in_site) { return QPointF(x_in_site[0], x_in_site[1]); };
+        edit.to_site = [](QPointF from, QPointF to) {
+            constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+            return geometry::Line3{{from.x(), from.y(), kUnknown}, {to.x(), to.y(), kUnknown}};
+        };
+    }
+    // Made again after every change of the record, which must not take the tool out of somebody's hand.
+    if (surface != ground_of_ || surface.is_nil()) {
+        ground_of_ = surface;
+        bar_->set_ground(std::move(ground), surface.is_nil() ? tr("There is no surface to draw on yet.") : QString(),
+                         std::move(edit));
+    }
     canvas_->refresh();
 }
 

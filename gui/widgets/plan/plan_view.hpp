@@ -64,6 +64,7 @@ class PlanView : public FlatPage {
     Models& models_;
     PlanCanvas* canvas_;
     OutlineBar* bar_;
+    model::SurfaceId ground_of_; ///< what the bar draws on
 };
 
 } // namespace planum::gui

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "app/regions/region_layout.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/flat/outline_bar.hpp"
@@ -98,7 +99,15 @@ void SectionView::show_chosen() {
         section = models_.workspace.snapshot()->record().sections[static_cast<std::size_t>(choice_->currentIndex())];
     }
     OutlineTool::ToOutlines ground;
+    EditGround edit;
     if (section) {
+        edit.to_view = [section = *section](const geometry::Point3& x_in_site) {
+            const geometry::Point3 p = app::onto_plane({{{x_in_site}}}, section).front().front().front();
+            return QPointF(p[0], p[1]);
+        };
+        edit.to_site = [section = *section](QPointF from, QPointF to) {
+            return app::from_plane({{{{from.x(), from.y(), 0.0}, {to.x(), to.y(), 0.0}}}}, section).front().front();
+        };
         ground = [name = section->name](app::Project&, const app::DrawnOutline& labels, const PointList& corners,
                                         Progress&) {
             app::DrawnOutline outline = labels;
@@ -111,7 +120,10 @@ void SectionView::show_chosen() {
             return app::OutlineFile{{outline}, {}};
         };
     }
-    bar_->set_ground(std::move(ground));
+    if (section != ground_of_) {
+        ground_of_ = section;
+        bar_->set_ground(std::move(ground), {}, std::move(edit));
+    }
     canvas_->show_section(section);
 }
 

@@ -52,6 +52,7 @@ class SectionView : public FlatPage {
     QComboBox* choice_;
     SectionCanvas* canvas_;
     OutlineBar* bar_;
+    std::optional<model::Section> ground_of_; ///< what the bar draws on
 };
 
 } // namespace planum::gui

@@ -68,6 +68,18 @@ class Hands {
         QTest::mouseClick(widget, Qt::LeftButton, {}, where.toPoint());
     }
 
+    /// With the left button held down.
+    static void drag(QWidget* widget, QPointF from, QPointF to) {
+        const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
+            QMouseEvent event(type, at, widget->mapToGlobal(at), button, held, {});
+            QApplication::sendEvent(widget, &event);
+        };
+        send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+        send(QEvent::MouseMove, (from + to) / 2.0, Qt::NoButton, Qt::LeftButton);
+        send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
+        send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+    }
+
     /// The pointer comes to rest there; sent straight to the widget, so that no other window can catch it.
     static void hover(QWidget* widget, QPointF where) {
         QMouseEvent move(QEvent::MouseMove, where, widget->mapToGlobal(where), Qt::NoButton, Qt::NoButton, {});

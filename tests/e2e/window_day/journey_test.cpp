@@ -141,6 +141,25 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     hands.settle_all();
     REQUIRE(hands.record().regions.size() == 1);
 
+    // One of its corners is dragged outwards, and that taken back by undo.
+    hands.click("panoramaChange");
+    const auto inside = panorama->to_screen(panorama->shapes().front().middle);
+    hands.click_at(panorama, inside);
+    OutlineEdit& edit = hands.window.models().edit;
+    REQUIRE(edit.rings().size() == 1);
+    REQUIRE(edit.rings().front().size() >= 4);
+    const double area = panorama->shapes().front().area;
+    const QPointF corner = panorama->to_screen(edit.rings().front().front().at);
+    hands.drag(panorama, corner, corner + (corner - inside) * 0.3);
+    hands.picture("06_changing_on_the_panorama");
+    hands.click("panoramaFinish");
+    hands.settle_all();
+    CHECK(panorama->shapes().front().area > area);
+    hands.find<QAction>("undo")->trigger();
+    hands.settle_all();
+    CHECK(std::abs(panorama->shapes().front().area - area) < 1e-9);
+    hands.click("panoramaChange");
+
     // Another in plan, beside it, snapping to the first; it is seen at once in both views.
     hands.window.show_view("plan");
     hands.settle_all();

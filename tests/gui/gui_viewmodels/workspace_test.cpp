@@ -136,6 +136,23 @@ TEST_CASE("A file that is taken away is one sentence, and what was read stays to
     CHECK(open.workspace.is_open());
 }
 
+TEST_CASE("An edit right after another program wrote takes nothing of that back") {
+    Open open;
+    {
+        app::Project other = app::Project::open(open.site.file, store::OpenMode::ReadWrite, {"Bob"});
+        app::record_kind("unit").set(other, "3", {{"title", "burnt floor"}});
+    }
+    open.workspace.edit(QStringLiteral("edit"), [](app::Project& project, Progress&) {
+        app::record_kind("unit").set(project, "3", {{"status", "excavated"}});
+    });
+    settle(open.workspace);
+    CHECK(open.failures.isEmpty());
+    const auto& snapshot = *open.workspace.snapshot();
+    const model::StratigraphicUnit& unit = snapshot.record().units[snapshot.index().named("3").front()];
+    CHECK(unit.title == "burnt floor");
+    CHECK(unit.status == model::UnitStatus::Excavated);
+}
+
 TEST_CASE("A newer reading replaces the older one of its lane") {
     Open open;
     std::atomic<bool> first_ran_to_its_end = false;
