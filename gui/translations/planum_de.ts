@@ -121,6 +121,193 @@
     </message>
 </context>
 <context>
+    <name>changes</name>
+    <message>
+        <source>Accept a relation from surfaces</source>
+        <translation>Eine Beziehung aus Oberflächen annehmen</translation>
+    </message>
+    <message>
+        <source>Accept problem %1</source>
+        <translation>Problem %1 hinnehmen</translation>
+    </message>
+    <message>
+        <source>Accept registration run %1</source>
+        <translation>Registrierung %1 annehmen</translation>
+    </message>
+    <message>
+        <source>Accept relations from surfaces</source>
+        <translation>Beziehungen aus Oberflächen annehmen</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 anlegen</translation>
+    </message>
+    <message>
+        <source>Add %1 scans</source>
+        <translation>%1 Scans aufnehmen</translation>
+    </message>
+    <message>
+        <source>Assign %1 finds</source>
+        <translation>%1 Funde zuweisen</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Correct to %1, instead of %2: %3</source>
+        <translation>Berichtigen zu %1 statt %2: %3</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Discard registration run %1</source>
+        <translation>Registrierung %1 verwerfen</translation>
+    </message>
+    <message>
+        <source>Draw an outline</source>
+        <translation>Umriss zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw an outline of %1</source>
+        <translation>Umriss von %1 zeichnen</translation>
+    </message>
+    <message>
+        <source>Find %1 scans again</source>
+        <translation>%1 Scans wiederfinden</translation>
+    </message>
+    <message>
+        <source>Find a scan again</source>
+        <translation>Einen Scan wiederfinden</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 einlesen</translation>
+    </message>
+    <message>
+        <source>Import %1 and %2 more</source>
+        <translation>%1 und %2 weitere einlesen</translation>
+    </message>
+    <message>
+        <source>Import %1 markers</source>
+        <translation>%1 Passpunkte einlesen</translation>
+    </message>
+    <message>
+        <source>Import %1 outline</source>
+        <translation>%1 Umriss einlesen</translation>
+    </message>
+    <message>
+        <source>Import %1 outlines</source>
+        <translation>%1 Umrisse einlesen</translation>
+    </message>
+    <message>
+        <source>Make interpretation %1</source>
+        <translation>Deutung %1 anlegen</translation>
+    </message>
+    <message>
+        <source>Mark %1 uncertain: %2</source>
+        <translation>%1 als unsicher kennzeichnen: %2</translation>
+    </message>
+    <message>
+        <source>Outline changed ground</source>
+        <translation>Geändertes umreißen</translation>
+    </message>
+    <message>
+        <source>Outline changed ground as %1</source>
+        <translation>Geändertes als %1 umreißen</translation>
+    </message>
+    <message>
+        <source>Redraw region %1</source>
+        <translation>Umriss %1 ändern</translation>
+    </message>
+    <message>
+        <source>Register %1 scans</source>
+        <translation>%1 Scans registrieren</translation>
+    </message>
+    <message>
+        <source>Reject a suggestion</source>
+        <translation>Einen Vorschlag ablehnen</translation>
+    </message>
+    <message>
+        <source>Reject suggestions</source>
+        <translation>Vorschläge ablehnen</translation>
+    </message>
+    <message>
+        <source>Split unit %1, new %2: %3</source>
+        <translation>Befund %1 teilen, neu %2: %3</translation>
+    </message>
+    <message>
+        <source>Take over %1 scans</source>
+        <translation>%1 Scans übernehmen</translation>
+    </message>
+    <message>
+        <source>Withdraw %1: %2</source>
+        <translation>%1 zurücknehmen: %2</translation>
+    </message>
+    <message>
+        <source>area %1</source>
+        <translation>Schnitt %1</translation>
+    </message>
+    <message>
+        <source>dating %1</source>
+        <translation>Datierung %1</translation>
+    </message>
+    <message>
+        <source>document %1</source>
+        <translation>Dokument %1</translation>
+    </message>
+    <message>
+        <source>find %1</source>
+        <translation>Fund %1</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>interpretation %1</source>
+        <translation>Deutung %1</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>Höhe %1</translation>
+    </message>
+    <message>
+        <source>period %1</source>
+        <translation>Periode %1</translation>
+    </message>
+    <message>
+        <source>phase %1</source>
+        <translation>Phase %1</translation>
+    </message>
+    <message>
+        <source>region %1</source>
+        <translation>Umriss %1</translation>
+    </message>
+    <message>
+        <source>relation %1</source>
+        <translation>Beziehung %1</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>Probe %1</translation>
+    </message>
+    <message>
+        <source>scan %1</source>
+        <translation>Scan %1</translation>
+    </message>
+    <message>
+        <source>surface %1</source>
+        <translation>Oberfläche %1</translation>
+    </message>
+    <message>
+        <source>unit %1</source>
+        <translation>Befund %1</translation>
+    </message>
+</context>
+<context>
     <name>evidence</name>
     <message>
         <source>upper one dug</source>
@@ -1023,6 +1210,22 @@
         <source>Keeps the outline as it is now (Enter)</source>
         <translation>Behält den Umriss, wie er jetzt ist (Eingabe)</translation>
     </message>
+    <message>
+        <source>Name what changed</source>
+        <translation>Geändertes benennen</translation>
+    </message>
+    <message>
+        <source>Offers ground that changed since the surface before and has no outline yet</source>
+        <translation>Bietet an, was sich seit der Oberfläche davor geändert und noch keinen Umriss hat</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Makes an outline of the patch, of the unit beside it (Enter)</source>
+        <translation>Macht aus der Stelle einen Umriss des nebenstehenden Befunds (Eingabe)</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::OutlineEdit</name>
@@ -1070,7 +1273,7 @@
     </message>
     <message>
         <source>No scan of this surface yet. Add scans from the project menu, or drop files on the window.</source>
-        <translation>Noch kein Scan dieser Fläche. Scans über das Menü Projekt aufnehmen oder Dateien auf das Fenster ziehen.</translation>
+        <translation>Noch kein Scan dieser Oberfläche. Scans über das Menü Projekt aufnehmen oder Dateien auf das Fenster ziehen.</translation>
     </message>
 </context>
 <context>
@@ -1224,6 +1427,36 @@
     <message>
         <source>A place is two numbers: x and y in metres.</source>
         <translation>Ein Ort sind zwei Zahlen: x und y in Metern.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PatchModel</name>
+    <message>
+        <source>Looking for ground without outlines</source>
+        <translation>Suche nach Flächen ohne Umriss</translation>
+    </message>
+    <message>
+        <source>Name changed ground</source>
+        <translation>Geänderte Fläche benennen</translation>
+    </message>
+    <message>
+        <source>comparing with the surface before …</source>
+        <translation>Vergleich mit der Oberfläche davor …</translation>
+    </message>
+    <message>
+        <source>All ground that changed is outlined.</source>
+        <translation>Alles, was sich geändert hat, ist umrissen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) changed and have no outline: click into one.</source>
+        <translation>
+            <numerusform>%n Stelle hat sich geändert und keinen Umriss: hineinklicken.</numerusform>
+            <numerusform>%n Stellen haben sich geändert und keinen Umriss: in eine hineinklicken.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m², %2 m since the surface before. %3</source>
+        <translation>%1 m², %2 m seit der Oberfläche davor. %3</translation>
     </message>
 </context>
 <context>
@@ -3122,6 +3355,38 @@
     <message>
         <source>and</source>
         <translation>und</translation>
+    </message>
+    <message>
+        <source>the ground came up by %1 m: spoil, backfill, a slump or something put down</source>
+        <translation>der Boden kam um %1 m höher: Aushub, Verfüllung, Rutschung oder etwas Abgestelltes</translation>
+    </message>
+    <message>
+        <source>no unit was outlined here before, so the record says nothing of what lies below</source>
+        <translation>hier war vorher kein Befund umrissen, so sagt die Aufnahme nicht, was darunter liegt</translation>
+    </message>
+    <message>
+        <source>%1 is outlined beside it and goes on without a step along %2 % of its edge</source>
+        <translation>%1 ist daneben umrissen und geht an %2 % des Randes ohne Stufe weiter</translation>
+    </message>
+    <message>
+        <source>%1 was dug away here, and %2 is the only unit recorded below it that goes on beside it without a step</source>
+        <translation>%1 wurde hier abgegraben, und %2 ist der einzige darunter aufgenommene Befund, der daneben ohne Stufe weitergeht</translation>
+    </message>
+    <message>
+        <source>%1 was dug away here, and %2 is the only unit recorded below it that was not outlined yet</source>
+        <translation>%1 wurde hier abgegraben, und %2 ist der einzige darunter aufgenommene Befund, der noch nicht umrissen war</translation>
+    </message>
+    <message>
+        <source>%1 was dug away here, and %2 is the only unit recorded below it</source>
+        <translation>%1 wurde hier abgegraben, und %2 ist der einzige darunter aufgenommene Befund</translation>
+    </message>
+    <message>
+        <source>%1 was dug away here; the record has no unit below it</source>
+        <translation>%1 wurde hier abgegraben; die Aufnahme hat keinen Befund darunter</translation>
+    </message>
+    <message>
+        <source>%1 was dug away here; recorded below it are %2</source>
+        <translation>%1 wurde hier abgegraben; darunter aufgenommen sind %2</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::PatchModel</name>
+    <message numerus="yes">
+        <source>%n patch(es) changed and have no outline: click into one.</source>
+        <translation>
+            <numerusform>%n patch changed and has no outline: click into it.</numerusform>
+            <numerusform>%n patches changed and have no outline: click into one.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::ProblemListModel</name>
     <message numerus="yes">
         <source>%n error(s)</source>

@@ -121,6 +121,193 @@
     </message>
 </context>
 <context>
+    <name>changes</name>
+    <message>
+        <source>Accept a relation from surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept problem %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept registration run %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept relations from surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1 scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assign %1 finds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct to %1, instead of %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard registration run %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw an outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw an outline of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find %1 scans again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1 and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1 markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1 outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1 outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make interpretation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark %1 uncertain: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline changed ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline changed ground as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redraw region %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register %1 scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject a suggestion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject suggestions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split unit %1, new %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over %1 scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>area %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dating %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>document %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpretation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>period %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>region %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>evidence</name>
     <message>
         <source>upper one dug</source>
@@ -1023,6 +1210,22 @@
         <source>Keeps the outline as it is now (Enter)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Name what changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offers ground that changed since the surface before and has no outline yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes an outline of the patch, of the unit beside it (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::OutlineEdit</name>
@@ -1223,6 +1426,36 @@
     </message>
     <message>
         <source>A place is two numbers: x and y in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PatchModel</name>
+    <message>
+        <source>Looking for ground without outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name changed ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing with the surface before …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All ground that changed is outlined.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) changed and have no outline: click into one.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m², %2 m since the surface before. %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3121,6 +3354,38 @@
     </message>
     <message>
         <source>and</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ground came up by %1 m: spoil, backfill, a slump or something put down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no unit was outlined here before, so the record says nothing of what lies below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outlined beside it and goes on without a step along %2 % of its edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was dug away here, and %2 is the only unit recorded below it that goes on beside it without a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was dug away here, and %2 is the only unit recorded below it that was not outlined yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was dug away here, and %2 is the only unit recorded below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was dug away here; the record has no unit below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was dug away here; recorded below it are %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

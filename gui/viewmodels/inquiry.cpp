@@ -14,6 +14,7 @@
 #include "app/registration/registration_report.hpp"
 #include "app/registration/registration_runs.hpp"
 #include "app/scans/verify_scans.hpp"
+#include "gui/viewmodels/sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -70,7 +71,7 @@ QStringList patch_lines(const app::ReadyPatches& found) {
                      .arg(qt(patch.surface))
                      .arg(patch.area, 0, 'f', 2)
                      .arg(patch.change, 0, 'f', 2)
-                     .arg(unit, qt(patch.because));
+                     .arg(unit, in_window_language(patch.because));
     }
     if (found.patches.empty()) lines << Inquiry::tr("all ground that changed is outlined");
     if (found.outside > 0) {

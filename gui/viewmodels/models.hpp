@@ -5,6 +5,7 @@
 #include "gui/viewmodels/inquiry.hpp"
 #include "gui/viewmodels/outline_edit.hpp"
 #include "gui/viewmodels/outline_tool.hpp"
+#include "gui/viewmodels/patch_model.hpp"
 #include "gui/viewmodels/problem_list_model.hpp"
 #include "gui/viewmodels/relation_entry_model.hpp"
 #include "gui/viewmodels/time_model.hpp"
@@ -29,6 +30,7 @@ struct Models {
     TimeModel time{workspace};
     OutlineTool outline{workspace};
     OutlineEdit edit{workspace};
+    PatchModel patches{workspace, time, outline};
     DayJobs day{workspace};
     Inquiry inquiry{workspace};
 };

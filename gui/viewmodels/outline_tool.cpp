@@ -98,17 +98,22 @@ QString OutlineTool::unit_sentence() const {
     return QStringLiteral("%1 %2").arg(kind_word(unit.kind, unit.form), qt(unit.title)).trimmed();
 }
 
-void OutlineTool::finish() {
-    if (!can_finish() || view_.isEmpty()) return;
+app::DrawnOutline OutlineTool::labels() const {
     app::DrawnOutline labels;
     labels.where = "outline";
     labels.category = category_;
     if (category_ == model::RegionCategory::Unit) labels.unit = unit_.trimmed().toStdString();
     labels.shows = shows_;
+    return labels;
+}
+
+void OutlineTool::finish() {
+    if (!can_finish() || view_.isEmpty()) return;
     auto name = std::make_shared<QString>();
     workspace_.edit(
         tr("Draw an outline"),
-        [labels, corners = corners_, to_outlines = to_outlines_, name](app::Project& project, Progress& progress) {
+        [labels = labels(), corners = corners_, to_outlines = to_outlines_, name](app::Project& project,
+                                                                                  Progress& progress) {
             const app::OutlineFile file = to_outlines(project, labels, corners, progress);
             if (file.outlines.empty()) {
                 throw Error(ErrorCode::BadInput,

@@ -60,6 +60,9 @@ class OutlineTool : public QObject {
 
     [[nodiscard]] std::optional<model::RegionShows> shows() const noexcept { return shows_; }
 
+    /// What the outline is, as chosen; without a shape.
+    [[nodiscard]] app::DrawnOutline labels() const;
+
     /// What the number means: an existing unit, none yet (with near numbers), or empty.
     [[nodiscard]] QString unit_sentence() const;
 

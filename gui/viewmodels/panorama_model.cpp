@@ -190,6 +190,23 @@ std::vector<RegionShape> PanoramaModel::shapes() const {
     return shapes;
 }
 
+std::vector<RegionShape> PanoramaModel::in_picture(const std::vector<app::ReadyPatch>& patches,
+                                                   std::vector<RegionShape> shapes) const {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        shapes[i].rings.clear();
+        if (!loaded_ || !loaded_->site_from_scan || patches[i].on_surface != loaded_->scan.surface) continue;
+        const geometry::Rigid3 scan_from_site = loaded_->site_from_scan->inverse();
+        for (const geometry::Rings& polygon : patches[i].shape) {
+            for (const geometry::Line3& ring : polygon) {
+                for (PointList& piece : ring_in_picture(loaded_->panorama.projection(), scan_from_site, ring))
+                    shapes[i].rings.push_back(std::move(piece));
+            }
+        }
+        if (!shapes[i].rings.empty()) shapes[i].middle = bounds_of(shapes[i].rings.front()).center();
+    }
+    return shapes;
+}
+
 QString PanoramaModel::place_text(QPointF pixel) const {
     if (!loaded_ || pixel.x() < 0 || pixel.y() < 0) return {};
     const auto place = loaded_->panorama.surface_at({pixel.x(), pixel.y()});

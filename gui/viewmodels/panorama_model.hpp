@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/regions/ready_patches.hpp"
 #include "app/scans/panorama_file.hpp"
 #include "app/scans/scan_panorama.hpp"
 #include "core/geometry/rigid.hpp"
@@ -60,6 +61,11 @@ class PanoramaModel : public QObject {
 
     /// Outlines of the surface in pixels of the picture.
     [[nodiscard]] std::vector<RegionShape> shapes() const;
+
+    /// Shapes of the site, such as patches of changed ground, in pixels of the picture, in their order; one that is not
+    /// to be seen has no rings.
+    [[nodiscard]] std::vector<RegionShape> in_picture(const std::vector<app::ReadyPatch>& patches,
+                                                      std::vector<RegionShape> shapes) const;
 
     /// `x 12.31  y 8.02  height 48.77 m`, or what the pixel lacks.
     [[nodiscard]] QString place_text(QPointF pixel) const;

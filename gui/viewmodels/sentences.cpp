@@ -12,14 +12,16 @@
 #include <utility>
 #include <vector>
 
+#include "gui/viewmodels/sentence_form.hpp"
+
 namespace planum::gui {
 
 namespace {
 
 constexpr int kDeepest = 6; // sentences within sentences
 
-// The sentences of strat/checks, app/suggestions and core/model/relation.cpp; `%1` stands where they put something in.
-// tests/gui/gui_viewmodels/sentences_test.cpp holds them to what checks say.
+// The sentences of strat/checks, app/suggestions, app/regions/ready_patches and core/model/relation.cpp; `%1` stands
+// where they put something in. tests/gui/gui_viewmodels/sentences_test.cpp holds them to what checks say.
 constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences", "%1 covers %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 cuts %2"),
@@ -202,6 +204,16 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences", "%1 June %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 July %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 August %2"),
+    QT_TRANSLATE_NOOP("sentences", "the ground came up by %1 m: spoil, backfill, a slump or something put down"),
+    QT_TRANSLATE_NOOP("sentences", "no unit was outlined here before, so the record says nothing of what lies below"),
+    QT_TRANSLATE_NOOP("sentences", "%1 is outlined beside it and goes on without a step along %2 % of its edge"),
+    QT_TRANSLATE_NOOP("sentences", "%1 was dug away here, and %2 is the only unit recorded below it that goes on "
+                                   "beside it without a step"),
+    QT_TRANSLATE_NOOP("sentences", "%1 was dug away here, and %2 is the only unit recorded below it that was not "
+                                   "outlined yet"),
+    QT_TRANSLATE_NOOP("sentences", "%1 was dug away here, and %2 is the only unit recorded below it"),
+    QT_TRANSLATE_NOOP("sentences", "%1 was dug away here; the record has no unit below it"),
+    QT_TRANSLATE_NOOP("sentences", "%1 was dug away here; recorded below it are %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 September %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 October %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 November %2"),
@@ -252,60 +264,12 @@ QString translated(const char* context, const QString& english) {
     return QCoreApplication::translate(context, english.toUtf8().constData());
 }
 
-// `%1 covers %2` → whether a sentence is one of these, and what stands at its places.
-class Form {
-  public:
-    explicit Form(const char* english) : english_(QString::fromUtf8(english)) {
-        static const QRegularExpression place(QStringLiteral("%(\\d)"));
-        QString expression;
-        qsizetype at = 0;
-        for (auto it = place.globalMatch(english_); it.hasNext();) {
-            const auto found = it.next();
-            add_words(expression, english_.mid(at, found.capturedStart() - at));
-            expression += QStringLiteral("(.+?)");
-            places_.push_back(found.captured(1).toInt());
-            at = found.capturedEnd();
-        }
-        add_words(expression, english_.mid(at));
-        expression_.setPattern(QRegularExpression::anchoredPattern(expression));
-        expression_.setPatternOptions(QRegularExpression::DotMatchesEverythingOption);
-    }
-
-    /// Fixed letters: of two forms that fit, the one with more is meant.
-    [[nodiscard]] qsizetype letters() const noexcept { return letters_; }
-
-    [[nodiscard]] const QString& english() const noexcept { return english_; }
-
-    [[nodiscard]] std::optional<std::vector<std::pair<int, QString>>> fit(const QString& text) const {
-        if (!text.contains(longest_)) return std::nullopt; // most forms, at once
-        const auto match = expression_.match(text);
-        if (!match.hasMatch()) return std::nullopt;
-        std::vector<std::pair<int, QString>> parts;
-        for (std::size_t i = 0; i < places_.size(); ++i)
-            parts.emplace_back(places_[i], match.captured(static_cast<int>(i) + 1));
-        return parts;
-    }
-
-  private:
-    void add_words(QString& expression, const QString& words) {
-        expression += QRegularExpression::escape(words);
-        letters_ += words.size();
-        if (words.size() > longest_.size()) longest_ = words;
-    }
-
-    QString english_;
-    QString longest_;
-    QRegularExpression expression_;
-    std::vector<int> places_;
-    qsizetype letters_ = 0;
-};
-
-const std::vector<Form>& forms() {
-    static const std::vector<Form> all = [] {
-        std::vector<Form> made;
+const std::vector<SentenceForm>& forms() {
+    static const std::vector<SentenceForm> all = [] {
+        std::vector<SentenceForm> made;
         for (const char* english : kSentences) made.emplace_back(english);
         std::stable_sort(made.begin(), made.end(),
-                         [](const Form& a, const Form& b) { return a.letters() > b.letters(); });
+                         [](const SentenceForm& a, const SentenceForm& b) { return a.letters() > b.letters(); });
         return made;
     }();
     return all;
@@ -340,27 +304,15 @@ std::optional<QString> known_list(const QString& text, int depth) {
 
 std::optional<QString> known(const QString& text, int depth) {
     if (text.isEmpty() || depth > kDeepest) return std::nullopt;
-    for (const Form& form : forms()) {
-        const auto parts = form.fit(text);
+    for (const SentenceForm& form : forms()) {
+        auto parts = form.fit(text);
         if (!parts) continue;
-        const QString pattern = translated("sentences", form.english());
-        QString said;
-        for (qsizetype i = 0; i < pattern.size(); ++i) {
-            const int place =
-                pattern[i] == QLatin1Char('%') && i + 1 < pattern.size() ? pattern[i + 1].digitValue() : -1;
-            if (place < 0) {
-                said += pattern[i];
-                continue;
-            }
-            ++i;
-            const auto part =
-                std::find_if(parts->begin(), parts->end(), [&](const auto& one) { return one.first == place; });
-            if (part == parts->end()) continue;
-            auto inner = known_list(part->second, depth);
-            if (!inner) inner = known(part->second, depth + 1);
-            said += inner.value_or(part->second);
+        for (auto& [place, words] : *parts) {
+            auto inner = known_list(words, depth);
+            if (!inner) inner = known(words, depth + 1);
+            words = inner.value_or(words);
         }
-        return said;
+        return filled(translated("sentences", form.english()), *parts);
     }
     return std::nullopt;
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.hpp"
+#include "gui/viewmodels/change_labels.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -207,7 +208,7 @@ void Workspace::redo() {
 QString Workspace::undo_label() const {
     if (!is_open()) return {};
     for (const store::ChangeEntry& change : snapshot_->changes) {
-        if (!change.undone && change.number > 0) return qt(change.label);
+        if (!change.undone && change.number > 0) return change_label(change.label);
     }
     return {};
 }
@@ -216,7 +217,7 @@ QString Workspace::redo_label() const {
     if (!is_open()) return {};
     QString label;
     for (const store::ChangeEntry& change : snapshot_->changes) {
-        if (change.undone && !change.dropped) label = qt(change.label); // the oldest of them comes first
+        if (change.undone && !change.dropped) label = change_label(change.label); // the oldest of them comes first
     }
     return label;
 }

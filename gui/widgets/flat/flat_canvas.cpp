@@ -77,6 +77,11 @@ void FlatCanvas::set_shapes(std::vector<RegionShape> shapes) {
     update();
 }
 
+void FlatCanvas::set_patches(std::vector<RegionShape> patches) {
+    patches_ = std::move(patches);
+    update();
+}
+
 QTransform FlatCanvas::view() const {
     return {scale_, 0.0, 0.0, up_ == Up::Upwards ? -scale_ : scale_, origin_.x(), origin_.y()};
 }
@@ -105,6 +110,8 @@ bool FlatCanvas::is_drawing() const { return models_.outline.is_active(name_); }
 
 bool FlatCanvas::is_changing() const { return models_.edit.is_active(name_); }
 
+bool FlatCanvas::is_offering() const { return models_.patches.is_active(name_); }
+
 QPointF FlatCanvas::snapped(QPointF on_screen) const {
     const QPointF place = to_place(on_screen);
     const double near = kSnap / scale_;
@@ -128,6 +135,34 @@ void FlatCanvas::paint_shapes(QPainter& painter) const {
                                        : look.line,
                             in_proof || selected ? 3.0 : std::max(1.2, theme().least_line()), look.dashed));
         painter.drawPath(path_of(shape, to_px));
+    }
+}
+
+// Wide hatching in the accent's colour: nobody drew this.
+void FlatCanvas::paint_patches(QPainter& painter) const {
+    if (!is_offering()) return;
+    const QTransform to_px = view();
+    const QFontMetricsF metrics(painter.font());
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        const bool chosen = static_cast<int>(i) == models_.patches.chosen();
+        QColor fill = theme().accent;
+        fill.setAlphaF(chosen ? 0.45F : 0.18F);
+        const QPainterPath path = path_of(patches_[i], to_px);
+        painter.setPen(Qt::NoPen);
+        painter.fillPath(path, fill);
+        painter.setBrush(QBrush(theme().accent, Qt::BDiagPattern));
+        painter.setPen(QPen(theme().paper, 4.0));
+        painter.drawPath(path);
+        painter.setPen(QPen(theme().accent, chosen ? 3.0 : 1.8, Qt::DashLine));
+        painter.drawPath(path);
+        if (path.isEmpty()) continue;
+        QRectF box = metrics.boundingRect(patches_[i].label).translated(to_px.map(patches_[i].middle));
+        box.translate(-box.width() / 2.0, metrics.ascent() / 2.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme().accent);
+        painter.drawRoundedRect(box.adjusted(-5.0, -2.0, 5.0, 2.0), 3.0, 3.0);
+        painter.setPen(theme().on_accent);
+        painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, patches_[i].label);
     }
 }
 
@@ -197,6 +232,7 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     paint_shapes(painter);
     paint_over(painter);
     paint_labels(painter);
+    paint_patches(painter);
     paint_tool(painter);
     if (is_changing()) handles_.paint(painter, view(), pointer_);
 }
@@ -242,6 +278,10 @@ void FlatCanvas::mouseReleaseEvent(QMouseEvent* event) {
     }
     const RegionShape* under = region_under(shapes_, to_place(event->position()));
     if (is_changing()) return handles_.click(view(), *event, under);
+    if (is_offering()) {
+        const RegionShape* patch = region_under(patches_, to_place(event->position()));
+        if (patch != nullptr) return models_.patches.choose(static_cast<int>(patch - patches_.data()));
+    }
     if (under != nullptr && !under->unit.is_nil()) models_.workspace.select(under->unit);
 }
 
@@ -252,6 +292,11 @@ void FlatCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 void FlatCanvas::keyPressEvent(QKeyEvent* event) {
     const QPointF middle = QRectF(rect()).center();
     if (is_changing() && handles_.key(*event)) return;
+    if (is_offering()) {
+        PatchModel& offered = models_.patches;
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return offered.finish();
+        if (event->key() == Qt::Key_Escape) return offered.chosen() < 0 ? offered.end() : offered.choose(-1);
+    }
     if (is_drawing()) {
         OutlineTool& tool = models_.outline;
         if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return tool.finish();

@@ -32,6 +32,9 @@ class FlatCanvas : public QWidget {
 
     [[nodiscard]] const std::vector<RegionShape>& shapes() const noexcept { return shapes_; }
 
+    /// Patches of changed ground, in the order of the patch model.
+    void set_patches(std::vector<RegionShape> patches);
+
     void fit();
     void zoom(double factor, QPointF around);
 
@@ -75,15 +78,18 @@ class FlatCanvas : public QWidget {
     [[nodiscard]] QTransform view() const;
     void paint_shapes(QPainter& painter) const;
     void paint_labels(QPainter& painter) const;
+    void paint_patches(QPainter& painter) const;
     void paint_tool(QPainter& painter) const;
     [[nodiscard]] bool is_drawing() const;
     [[nodiscard]] bool is_changing() const;
+    [[nodiscard]] bool is_offering() const;
     [[nodiscard]] QPointF snapped(QPointF on_screen) const;
 
     Models& models_;
     QString name_;
     Up up_;
     std::vector<RegionShape> shapes_;
+    std::vector<RegionShape> patches_;
     double scale_ = 1.0;
     QPointF origin_; ///< of the places, on the screen
     bool fitted_ = true;

@@ -15,10 +15,10 @@
 
 namespace planum::gui {
 
-OutlineBar::OutlineBar(Models& models, const QString& view)
-    : models_(models), view_(view), draw_(new QToolButton), change_(new QToolButton), remove_(new QToolButton),
-      unit_(new QLineEdit), category_(new QComboBox), shows_(new QComboBox), back_(new QToolButton),
-      finish_(new QToolButton), cancel_(new QToolButton), sentence_(new QLabel) {
+OutlineBar::OutlineBar(Models& models, const QString& view, Offers offers)
+    : models_(models), view_(view), draw_(new QToolButton), change_(new QToolButton), offer_(new QToolButton),
+      remove_(new QToolButton), unit_(new QLineEdit), category_(new QComboBox), shows_(new QComboBox),
+      back_(new QToolButton), finish_(new QToolButton), cancel_(new QToolButton), sentence_(new QLabel) {
     using model::RegionCategory;
     using model::RegionShows;
     draw_->setText(tr("Draw an outline"));
@@ -28,6 +28,11 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
     change_->setToolTip(tr("Moves, sets and takes away corners of an outline that is there"));
     change_->setCheckable(true);
     change_->setObjectName(view + QStringLiteral("Change"));
+    offer_->setText(tr("Name what changed"));
+    offer_->setToolTip(tr("Offers ground that changed since the surface before and has no outline yet"));
+    offer_->setCheckable(true);
+    offer_->setObjectName(view + QStringLiteral("Offer"));
+    offer_->setVisible(offers == Offers::Patches);
     remove_->setText(tr("Corner away"));
     remove_->setToolTip(tr("Takes the chosen corner away (Delete, or the right button on it)"));
     remove_->setObjectName(view + QStringLiteral("RemoveCorner"));
@@ -62,6 +67,11 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
     row->setContentsMargins(8, 6, 8, 6);
     row->addWidget(draw_);
     row->addWidget(change_);
+    if (offers == Offers::Patches) {
+        row->addWidget(offer_);
+    } else {
+        offer_->setParent(this);
+    }
     for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_, remove_, back_, finish_, cancel_}) {
         part->setMinimumHeight(theme().touch);
         row->addWidget(part);
@@ -82,12 +92,14 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
     connect(remove_, &QToolButton::clicked, this, [&edit] {
         if (edit.can_remove()) edit.remove(*edit.held());
     });
-    connect(back_, &QToolButton::clicked, this,
-            [this] { is_changing() ? models_.edit.take_back() : models_.outline.take_back(); });
-    connect(finish_, &QToolButton::clicked, this,
-            [this] { is_changing() ? models_.edit.finish() : models_.outline.finish(); });
-    connect(cancel_, &QToolButton::clicked, this,
-            [this] { is_changing() ? models_.edit.cancel() : models_.outline.cancel(); });
+    connect(offer_, &QToolButton::clicked, this, &OutlineBar::toggle_offer);
+    connect(back_, &QToolButton::clicked, this, &OutlineBar::step_back);
+    connect(finish_, &QToolButton::clicked, this, &OutlineBar::finish);
+    connect(cancel_, &QToolButton::clicked, this, &OutlineBar::cancel);
+    connect(unit_, &QLineEdit::returnPressed, this, [this] {
+        if (is_offering()) models_.patches.finish();
+    });
+    connect(&models_.patches, &PatchModel::changed, this, &OutlineBar::refresh);
     connect(&tool, &OutlineTool::changed, this, &OutlineBar::refresh);
     connect(&edit, &OutlineEdit::changed, this, &OutlineBar::refresh);
     connect(&models_.workspace, &Workspace::snapshotChanged, this, &OutlineBar::refresh);
@@ -97,6 +109,8 @@ OutlineBar::OutlineBar(Models& models, const QString& view)
 bool OutlineBar::is_drawing() const { return models_.outline.is_active(view_); }
 
 bool OutlineBar::is_changing() const { return models_.edit.is_active(view_); }
+
+bool OutlineBar::is_offering() const { return models_.patches.is_active(view_); }
 
 void OutlineBar::set_ground(OutlineTool::ToOutlines to_outlines, const QString& why, EditGround edit) {
     to_outlines_ = std::move(to_outlines);
@@ -110,6 +124,7 @@ void OutlineBar::set_ground(OutlineTool::ToOutlines to_outlines, const QString& 
 
 void OutlineBar::toggle(bool draw) {
     models_.edit.end();
+    models_.patches.end();
     if (draw && to_outlines_) {
         models_.outline.begin(view_, to_outlines_);
     } else {
@@ -119,6 +134,7 @@ void OutlineBar::toggle(bool draw) {
 
 void OutlineBar::toggle_change(bool change) {
     models_.outline.end();
+    models_.patches.end();
     if (change && edit_ground_.to_view) {
         models_.edit.begin(view_, edit_ground_);
     } else {
@@ -126,34 +142,75 @@ void OutlineBar::toggle_change(bool change) {
     }
 }
 
+void OutlineBar::toggle_offer(bool offer) {
+    models_.outline.end();
+    models_.edit.end();
+    if (offer) {
+        models_.patches.begin(view_);
+    } else {
+        models_.patches.end();
+    }
+}
+
+void OutlineBar::step_back() { is_changing() ? models_.edit.take_back() : models_.outline.take_back(); }
+
+void OutlineBar::finish() {
+    if (is_offering()) return models_.patches.finish();
+    is_changing() ? models_.edit.finish() : models_.outline.finish();
+}
+
+void OutlineBar::cancel() {
+    if (is_offering()) return models_.patches.end();
+    is_changing() ? models_.edit.cancel() : models_.outline.cancel();
+}
+
 void OutlineBar::refresh() {
     const OutlineTool& tool = models_.outline;
     const OutlineEdit& edit = models_.edit;
+    const PatchModel& patches = models_.patches;
     const bool drawing = is_drawing();
     const bool changing = is_changing();
+    const bool offering = is_offering();
+    const bool naming = offering && patches.chosen() >= 0;
     const bool writable = models_.workspace.is_open() && models_.workspace.read_only_because().isEmpty();
     draw_->setChecked(drawing);
     draw_->setEnabled(writable && static_cast<bool>(to_outlines_));
     change_->setChecked(changing);
     change_->setEnabled(writable && static_cast<bool>(edit_ground_.to_view));
+    offer_->setChecked(offering);
+    offer_->setEnabled(writable && static_cast<bool>(to_outlines_));
     if (unit_->text() != tool.unit()) unit_->setText(tool.unit());
     unit_->setEnabled(tool.category() == model::RegionCategory::Unit);
     category_->setCurrentIndex(category_->findData(static_cast<int>(tool.category())));
     shows_->setCurrentIndex(shows_->findData(tool.shows() ? static_cast<int>(*tool.shows()) : -1));
-    for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_}) part->setVisible(drawing);
-    for (QWidget* part : std::initializer_list<QWidget*>{back_, finish_, cancel_})
-        part->setVisible(drawing || changing);
+    for (QWidget* part : std::initializer_list<QWidget*>{unit_, category_, shows_}) part->setVisible(drawing || naming);
+    back_->setVisible(drawing || changing);
+    back_->setEnabled(!changing || edit.is_changed());
+    finish_->setVisible(drawing || changing || naming);
+    finish_->setEnabled(naming ? patches.can_finish() : changing ? edit.is_changed() : tool.can_finish());
+    cancel_->setVisible(drawing || changing || offering);
     remove_->setVisible(changing);
     remove_->setEnabled(edit.can_remove());
+    say_what_buttons_do();
+    const QString said = offering   ? patches.sentence()
+                         : changing ? edit.sentence()
+                         : drawing  ? tool.unit_sentence()
+                                    : why_not_;
+    sentence_->setText(said);
+    sentence_->setToolTip(said);
+    sentence_->setVisible(drawing || changing || offering || !why_not_.isEmpty());
+}
+
+void OutlineBar::say_what_buttons_do() {
+    const bool changing = is_changing();
+    const bool offering = is_offering();
     back_->setText(changing ? tr("Step back") : tr("Corner back"));
     back_->setToolTip(changing ? tr("Takes the last change of this outline back (Ctrl+Z)")
                                : tr("Takes the last corner back (Backspace, Ctrl+Z); brings a cancelled outline back"));
-    back_->setEnabled(!changing || edit.is_changed());
-    finish_->setToolTip(changing ? tr("Keeps the outline as it is now (Enter)")
-                                 : tr("Closes the outline (Enter, or a click on the first corner)"));
-    finish_->setEnabled(changing ? edit.is_changed() : tool.can_finish());
-    sentence_->setText(changing ? edit.sentence() : drawing ? tool.unit_sentence() : why_not_);
-    sentence_->setVisible(drawing || changing || !why_not_.isEmpty());
+    finish_->setText(offering ? tr("Take it") : tr("Finish"));
+    finish_->setToolTip(offering   ? tr("Makes an outline of the patch, of the unit beside it (Enter)")
+                        : changing ? tr("Keeps the outline as it is now (Enter)")
+                                   : tr("Closes the outline (Enter, or a click on the first corner)"));
 }
 
 } // namespace planum::gui

@@ -16,12 +16,15 @@ namespace planum::gui {
 struct Models;
 
 /// The outline tool above a flat view: draw, which unit, what it is, what it shows; change an outline, a corner away;
-/// last step back, finish, cancel.
+/// name ground that changed; last step back, finish, cancel.
 class OutlineBar : public QWidget {
     Q_OBJECT
 
   public:
-    OutlineBar(Models& models, const QString& view);
+    /// Whether the view can offer ground that changed and has no outline.
+    enum class Offers { Nothing, Patches };
+
+    OutlineBar(Models& models, const QString& view, Offers offers = Offers::Nothing);
 
     /// How corners of this view become outlines and outlines corners; without one nothing can be drawn, because of
     /// `why`.
@@ -31,8 +34,14 @@ class OutlineBar : public QWidget {
     void refresh();
     void toggle(bool draw);
     void toggle_change(bool change);
+    void toggle_offer(bool offer);
+    void step_back();
+    void finish();
+    void cancel();
+    void say_what_buttons_do();
     [[nodiscard]] bool is_drawing() const;
     [[nodiscard]] bool is_changing() const;
+    [[nodiscard]] bool is_offering() const;
 
     Models& models_;
     QString view_;
@@ -41,6 +50,7 @@ class OutlineBar : public QWidget {
     QString why_not_;
     QToolButton* draw_;
     QToolButton* change_;
+    QToolButton* offer_;
     QToolButton* remove_;
     QLineEdit* unit_;
     QComboBox* category_;

@@ -5,6 +5,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "gui/viewmodels/change_labels.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/theme.hpp"
@@ -41,7 +42,8 @@ void HistoryPanel::fill() {
     for (int row = 0; row < table_->rowCount(); ++row) {
         const store::ChangeEntry& change = changes[static_cast<std::size_t>(row)];
         const QString when = qt(change.made_at).left(16).replace(QLatin1Char('T'), QLatin1Char(' '));
-        const QString what = change.undone ? tr("%1 (taken back)").arg(qt(change.label)) : qt(change.label);
+        const QString label = change_label(change.label);
+        const QString what = change.undone ? tr("%1 (taken back)").arg(label) : label;
         int at = 0;
         for (const QString& text : {when, qt(change.author), what}) {
             auto* item = new QTableWidgetItem(text);

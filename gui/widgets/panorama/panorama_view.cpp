@@ -55,6 +55,12 @@ void PanoramaCanvas::refresh() {
         if (!same_size) fit();
     }
     set_shapes(panorama_.shapes());
+    show_patches();
+}
+
+void PanoramaCanvas::show_patches() {
+    const PatchModel& patches = models().patches;
+    set_patches(panorama_.in_picture(patches.patches(), patches.shapes()));
 }
 
 void PanoramaCanvas::paint_ground(QPainter& painter, const QRectF& seen) {
@@ -72,8 +78,8 @@ void PanoramaCanvas::paint_over(QPainter&) {}
 
 PanoramaView::PanoramaView(Models& models)
     : models_(models), panorama_(models.workspace, models.time), canvas_(new PanoramaCanvas(models, panorama_)),
-      bar_(new OutlineBar(models, kPanorama)), scan_(new QComboBox), projection_(new QComboBox),
-      channel_(new QComboBox) {
+      bar_(new OutlineBar(models, kPanorama, OutlineBar::Offers::Patches)), scan_(new QComboBox),
+      projection_(new QComboBox), channel_(new QComboBox) {
     scan_->setAccessibleName(tr("Scan"));
     scan_->setObjectName(QStringLiteral("panoramaScan"));
     scan_->setMinimumWidth(180);
@@ -94,6 +100,7 @@ PanoramaView::PanoramaView(Models& models)
             [this] { panorama_.set_channel(channel_->currentData().toString()); });
     lay_out(kPanorama, canvas_, bar_, {scan_, projection_, channel_});
     connect(&panorama_, &PanoramaModel::changed, this, &PanoramaView::refresh);
+    connect(&models_.patches, &PatchModel::changed, canvas_, &PanoramaCanvas::show_patches);
     refresh();
 }
 

@@ -23,6 +23,7 @@ class PanoramaCanvas : public FlatCanvas {
     PanoramaCanvas(Models& models, PanoramaModel& panorama);
 
     void refresh();
+    void show_patches();
 
   protected:
     void paint_ground(QPainter& painter, const QRectF& seen) override;

@@ -169,11 +169,14 @@ void PlanCanvas::paint_over(QPainter& painter) {
 }
 
 PlanView::PlanView(Models& models)
-    : models_(models), canvas_(new PlanCanvas(models)), bar_(new OutlineBar(models, kPlan)) {
+    : models_(models), canvas_(new PlanCanvas(models)),
+      bar_(new OutlineBar(models, kPlan, OutlineBar::Offers::Patches)) {
     lay_out(kPlan, canvas_, bar_);
     connect(&models_.time, &TimeModel::moved, this, &PlanView::refresh);
     connect(&models_.time, &TimeModel::changed, this, &PlanView::refresh);
     connect(&models_.workspace, &Workspace::selectionChanged, canvas_, &PlanCanvas::refresh);
+    connect(&models_.patches, &PatchModel::changed, canvas_,
+            [this] { canvas_->set_patches(models_.patches.shapes()); });
     refresh();
 }
 

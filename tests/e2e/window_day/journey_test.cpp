@@ -183,7 +183,29 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     hands.find<QAction>("undo")->trigger();
     hands.settle_all();
     REQUIRE(hands.record().regions.empty());
-    hands.drop({files / "outlines" / "2025-06-01.geojson", files / "outlines" / "2025-06-02.geojson"});
+    hands.drop({files / "outlines" / "2025-06-01.geojson"});
+
+    // What changed on the second day has no outline yet: the window offers it, and one patch is taken.
+    hands.window.show_view("plan");
+    hands.click("planOffer");
+    PatchModel& patches = hands.window.models().patches;
+    REQUIRE_FALSE(patches.patches().empty());
+    hands.click_at(plan, plan->to_screen(patches.shapes().front().middle));
+    CHECK(patches.chosen() >= 0);
+    hands.find<QLineEdit>("planOutlineUnit")->selectAll();
+    QTest::keyClicks(hands.find<QLineEdit>("planOutlineUnit"), QStringLiteral("1003"));
+    hands.picture("08_offered");
+    const std::size_t outlined = hands.record().regions.size();
+    hands.click("planFinish");
+    CHECK(hands.record().regions.size() == outlined + 1);
+    hands.window.show_view("panorama");
+    hands.click("panoramaOffer");
+    hands.picture("08_offered_on_the_panorama");
+    hands.click("panoramaOffer");
+    hands.find<QAction>("undo")->trigger();
+    hands.settle_all();
+
+    hands.drop({files / "outlines" / "2025-06-02.geojson"});
     CHECK(hands.record().regions.size() > 4);
     hands.window.show_view("plan");
     hands.window.show_view("suggestions");

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "gui/viewmodels/sentence_form.hpp"
+
+#include <algorithm>
+
+namespace planum::gui {
+
+SentenceForm::SentenceForm(const char* english) : english_(QString::fromUtf8(english)) {
+    static const QRegularExpression place(QStringLiteral("%(\\d)"));
+    QString expression;
+    qsizetype at = 0;
+    for (auto it = place.globalMatch(english_); it.hasNext();) {
+        const auto found = it.next();
+        add_words(expression, english_.mid(at, found.capturedStart() - at));
+        expression += QStringLiteral("(.+?)");
+        places_.push_back(found.captured(1).toInt());
+        at = found.capturedEnd();
+    }
+    add_words(expression, english_.mid(at));
+    expression_.setPattern(QRegularExpression::anchoredPattern(expression));
+    expression_.setPatternOptions(QRegularExpression::DotMatchesEverythingOption);
+}
+
+std::optional<std::vector<std::pair<int, QString>>> SentenceForm::fit(const QString& text) const {
+    if (!text.contains(longest_)) return std::nullopt; // most forms, at once
+    const auto match = expression_.match(text);
+    if (!match.hasMatch()) return std::nullopt;
+    std::vector<std::pair<int, QString>> parts;
+    for (std::size_t i = 0; i < places_.size(); ++i)
+        parts.emplace_back(places_[i], match.captured(static_cast<int>(i) + 1));
+    return parts;
+}
+
+void SentenceForm::add_words(QString& expression, const QString& words) {
+    expression += QRegularExpression::escape(words);
+    letters_ += words.size();
+    if (words.size() > longest_.size()) longest_ = words;
+}
+
+QString filled(const QString& pattern, const std::vector<std::pair<int, QString>>& parts) {
+    QString said;
+    for (qsizetype i = 0; i < pattern.size(); ++i) {
+        const bool place = pattern[i] == QLatin1Char('%') && i + 1 < pattern.size() && pattern[i + 1].isDigit();
+        if (!place) {
+            said += pattern[i];
+            continue;
+        }
+        const int number = pattern[++i].digitValue();
+        const auto part =
+            std::find_if(parts.begin(), parts.end(), [&](const auto& one) { return one.first == number; });
+        if (part != parts.end()) said += part->second;
+    }
+    return said;
+}
+
+} // namespace planum::gui
