@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is proposed from scans and outlines, from the files of simulated digs to the truth.
 // ./dev bench evidence [FROM TO [SIZE [markers|auto]]]: each seed dug in all three ways
+// ./dev bench evidence history [SURFACES [MILLION POINTS]]: a day of five large scans after a long history
 #include <array>
 #include <cstdlib>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/bench_evidence_history.hpp"
 #include "bench/bench_support.hpp"
 #include "core/base/error.hpp"
 #include "tests/support/evidence_dig.hpp"
@@ -53,6 +55,10 @@ int run(const std::vector<std::string>& arguments) {
     const auto number = [&](std::size_t i, std::uint64_t otherwise) {
         return i < arguments.size() ? static_cast<std::uint64_t>(std::atoll(arguments[i].c_str())) : otherwise;
     };
+    if (!arguments.empty() && arguments[0] == "history") {
+        bench::bench_history(static_cast<int>(number(1, 200)), static_cast<std::int64_t>(number(2, 20)) * 1'000'000);
+        return 0;
+    }
     const std::string size = arguments.size() > 2 ? arguments[2] : "small";
     const auto method = app::register_method_from_word(arguments.size() > 3 ? arguments[3] : "markers");
     if (!method) throw Error(ErrorCode::Usage, "register by markers, features, icp or auto");
