@@ -46,7 +46,7 @@ scans::FeatureSet features_of(const scans::PointStore& store, const FeatureView&
     } else if (view.looks && has.colour) {
         append(features, find_features(panorama, scans::Channel::Colour));
     }
-    if (view.range) append(features, find_features(panorama, scans::Channel::Range));
+    if (view.range || !(has.intensity || has.colour)) append(features, find_features(panorama, scans::Channel::Range));
     return features;
 }
 

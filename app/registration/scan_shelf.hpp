@@ -44,11 +44,11 @@ class ScanShelf {
 /// In what features are looked for. The defaults are the best by measurement, see docs/registration.md.
 struct FeatureView {
     scans::ProjectionKind projection = scans::ProjectionKind::Equirectangular;
-    bool looks = true; ///< in the reflectance, else the colour
-    bool range = true; ///< in the range
+    bool looks = true;  ///< in the reflectance, else the colour
+    bool range = false; ///< in the range too; where there is neither reflectance nor colour, in any case
 };
 
-/// Features of a store in all channels that it has: reflectance, else colour, and range.
+/// Features of a store in reflectance, else colour, else range, and in the range too if the view says so.
 [[nodiscard]] scans::FeatureSet features_of(const scans::PointStore& store, const FeatureView& view = {});
 
 /// Points of a store, in its order.

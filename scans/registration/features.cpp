@@ -31,6 +31,38 @@ cv::Mat grey_picture(const Panorama& panorama, Channel channel) {
     return image;
 }
 
+/// Bumps and hollows: how much farther a place is than its surroundings, as a share of the range. The picture for the
+/// eye shows near and far, in which the relief of the ground is less than one shade of grey.
+cv::Mat relief_picture(const Panorama& panorama) {
+    cv::Mat depth(panorama.height(), panorama.width(), CV_32F, cv::Scalar(0.0));
+    cv::Mat shown(panorama.height(), panorama.width(), CV_32F, cv::Scalar(0.0));
+    for (int row = 0; row < panorama.height(); ++row) {
+        for (int column = 0; column < panorama.width(); ++column) {
+            const auto points = panorama.points_at(column, row);
+            if (points.empty()) continue;
+            depth.at<float>(row, column) = static_cast<float>(std::log(panorama.place(points.front()).norm()));
+            shown.at<float>(row, column) = 1.0F;
+        }
+    }
+    const auto smooth = [&](double sigma) {
+        cv::Mat sum;
+        cv::Mat weight;
+        cv::GaussianBlur(depth.mul(shown), sum, {0, 0}, sigma, sigma);
+        cv::GaussianBlur(shown, weight, {0, 0}, sigma, sigma);
+        cv::Mat mean;
+        cv::divide(sum, cv::max(weight, 1e-3F), mean);
+        return mean;
+    };
+    // Measured on the simulated trench; twice as smooth or as wide finds a tenth of the features.
+    constexpr double kFine = 1.0;  // [px]
+    constexpr double kWide = 12.0; // [px]
+    constexpr double kFull = 0.02; // of the range: as high as black and white go
+    const cv::Mat relief = smooth(kWide) - smooth(kFine);
+    cv::Mat image;
+    relief.convertTo(image, CV_8U, 127.0 / kFull, 128.0);
+    return image;
+}
+
 /// What is empty takes the blurred grey of its surroundings, so that the borders of holes are no features.
 void soften_holes(cv::Mat& image, const cv::Mat& is_empty) {
     cv::Mat weight;
@@ -96,7 +128,7 @@ void sort_by_place(std::vector<cv::KeyPoint>& points) {
 } // namespace
 
 FeatureSet find_features(const Panorama& panorama, Channel channel, const FeatureOptions& options) {
-    cv::Mat image = grey_picture(panorama, channel);
+    cv::Mat image = channel == Channel::Range ? relief_picture(panorama) : grey_picture(panorama, channel);
     soften_holes(image, emptiness(panorama));
     const int seam = is_full_turn(panorama.projection().options()) ? std::min(kSeam, image.cols) : 0;
     if (seam > 0) cv::copyMakeBorder(image, image, 0, 0, seam, seam, cv::BORDER_WRAP);
