@@ -51,8 +51,7 @@ std::string text_of(const model::Region& region) {
 class AreaWork {
   public:
     AreaWork(Project& project, model::AreaId area, Progress& progress)
-        : project_(project), record_(project.record()), progress_(progress),
-          cache_(scans_folder(project.path()) / "evidence") {
+        : project_(project), record_(project.record()), progress_(progress) {
         evidence_.area = area;
         surfaces_ = surfaces_in_time(record_, area);
         for (const model::Surface* surface : surfaces_) evidence_.surfaces.push_back(surface->id);
@@ -60,6 +59,7 @@ class AreaWork {
             if (region.section.is_nil()) regions_[region.surface].push_back(region);
         }
         number_units();
+        cache_.emplace(scans_folder(project.path()) / "evidence", evidence_.units);
     }
 
     [[nodiscard]] bool is_worth_it() const { return !evidence_.units.empty() && surfaces_.size() >= 2; }
@@ -169,7 +169,7 @@ class AreaWork {
 
     // NaN where nothing is outlined, or the points are missing.
     [[nodiscard]] double density(std::size_t i) {
-        if (const auto cached = cache_.density(keys_[i].labels)) return *cached;
+        if (const auto cached = cache_->density(keys_[i].labels)) return *cached;
         const scans::SurfaceGrid grid = heights(i);
         if (is_broken(i)) return std::nan("");
         const scans::LabelGrid labels = scans::label_cells(frame_, regions_[surfaces_[i]->id]);
@@ -181,7 +181,7 @@ class AreaWork {
             cells += 1.0;
         }
         if (cells == 0.0) return std::nan("");
-        cache_.keep_density(keys_[i].labels, points / cells);
+        cache_->keep_density(keys_[i].labels, points / cells);
         return points / cells;
     }
 
@@ -198,9 +198,9 @@ class AreaWork {
     }
 
     [[nodiscard]] scans::SurfaceSummary summary(std::size_t i) {
-        if (auto cached = cache_.summary(keys_[i].labels, evidence_.units)) return std::move(*cached);
+        if (auto cached = cache_->summary(keys_[i].labels)) return std::move(*cached);
         scans::SurfaceSummary found = scans::summarise(labelled(i));
-        if (!is_broken(i)) cache_.keep(keys_[i].labels, found, evidence_.units);
+        if (!is_broken(i)) cache_->keep(keys_[i].labels, found);
         return found;
     }
 
@@ -211,7 +211,7 @@ class AreaWork {
         std::string parts = keys_[i].labels + keys_[i + 1].labels + (i > 0 ? keys_[i - 1].floor : "");
         for (const std::size_t cell : hidden) parts += fmt::format(" {}", cell);
         const std::string key = sha256(parts);
-        if (auto cached = cache_.step(key, evidence_.units)) {
+        if (auto cached = cache_->step(key)) {
             evidence_.history.steps.push_back(std::move(*cached));
             return;
         }
@@ -221,8 +221,8 @@ class AreaWork {
         scans::SurfaceStep step = scans::step_between(labelled_.at(i), labelled_.at(i + 1), tolerance(), hidden, floor);
         const bool is_sound = std::none_of(broken_.begin(), broken_.end(), [&](std::size_t b) { return b <= i + 1; });
         if (is_sound) {
-            cache_.keep_floor(keys_[i].floor, floor);
-            cache_.keep(key, step, evidence_.units);
+            cache_->keep_floor(keys_[i].floor, floor);
+            cache_->keep(key, step);
         }
         last_floor_ = {i, std::move(floor)};
         evidence_.history.steps.push_back(std::move(step));
@@ -234,7 +234,7 @@ class AreaWork {
         std::size_t next = i + 1;
         std::vector<float> floor(frame_.cells(), std::nanf(""));
         for (; next > 0; --next) {
-            if (auto cached = cache_.floor(keys_[next - 1].floor, frame_.cells())) {
+            if (auto cached = cache_->floor(keys_[next - 1].floor, frame_.cells())) {
                 floor = std::move(*cached);
                 break;
             }
@@ -328,7 +328,7 @@ class AreaWork {
     const model::Record& record_;
     Progress& progress_;
     AreaEvidence evidence_;
-    StepCache cache_;
+    std::optional<StepCache> cache_; ///< once the units have numbers
     scans::GridFrame frame_;
     std::vector<const model::Surface*> surfaces_;
     std::vector<Keys> keys_;

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <string_view>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -25,30 +24,9 @@ fs::path file_of(const fs::path& folder, const std::string& key, std::string_vie
     return folder / (key.substr(0, 32) + std::string(ending));
 }
 
-// Units by id in a file, by number in memory.
-class Names {
-  public:
-    explicit Names(std::span<const scans::KnownUnit> units) : units_(units) {}
+using Names = StepCache::Names;
 
-    [[nodiscard]] std::string text(UnitNumber number) const {
-        return units_[static_cast<std::size_t>(number)].id.value.to_string();
-    }
-
-    // Throws NotFound for a unit that is not outlined here.
-    [[nodiscard]] UnitNumber number(const json& text) {
-        if (numbers_.empty()) {
-            for (std::size_t i = 0; i < units_.size(); ++i)
-                numbers_.emplace(units_[i].id.value.to_string(), static_cast<UnitNumber>(i));
-        }
-        const auto found = numbers_.find(text.get<std::string>());
-        if (found == numbers_.end()) throw Error(ErrorCode::NotFound, "a unit that is not outlined");
-        return found->second;
-    }
-
-  private:
-    std::span<const scans::KnownUnit> units_;
-    std::unordered_map<std::string, UnitNumber> numbers_;
-};
+UnitNumber number(const Names& names, const json& text) { return names.number(text.get_ref<const std::string&>()); }
 
 json to_json(const scans::SurfaceSummary& summary, const Names& names) {
     json showings = json::array();
@@ -61,14 +39,14 @@ json to_json(const scans::SurfaceSummary& summary, const Names& names) {
     return {{"showings", std::move(showings)}, {"edges", std::move(edges)}};
 }
 
-scans::SurfaceSummary summary_from(const json& j, Names& names) {
+scans::SurfaceSummary summary_from(const json& j, const Names& names) {
     scans::SurfaceSummary summary;
     for (const json& s : j.at("showings")) {
         summary.showings.push_back(
-            {names.number(s.at(0)), s.at(1), s.at(2), s.at(3), s.at(4), s.at(5), s.at(6), s.at(7)});
+            {number(names, s.at(0)), s.at(1), s.at(2), s.at(3), s.at(4), s.at(5), s.at(6), s.at(7)});
     }
     for (const json& e : j.at("edges")) {
-        const auto [a, b] = std::minmax({names.number(e.at(0)), names.number(e.at(1))});
+        const auto [a, b] = std::minmax({number(names, e.at(0)), number(names, e.at(1))});
         summary.edges.push_back({a, b, e.at(2)});
     }
     std::sort(summary.showings.begin(), summary.showings.end(),
@@ -91,16 +69,16 @@ json to_json(const scans::SurfaceStep& step, const Names& names) {
     return {{"cell", step.cell}, {"successions", std::move(successions)}, {"edges", std::move(edges)}};
 }
 
-scans::SurfaceStep step_from(const json& j, Names& names) {
+scans::SurfaceStep step_from(const json& j, const Names& names) {
     scans::SurfaceStep step;
     step.cell = j.at("cell");
     for (const json& s : j.at("successions")) {
-        step.successions.push_back({names.number(s.at(0)), names.number(s.at(1)), s.at(2), s.at(3), s.at(4), s.at(5),
+        step.successions.push_back({number(names, s.at(0)), number(names, s.at(1)), s.at(2), s.at(3), s.at(4), s.at(5),
                                     s.at(6), s.at(7), s.at(8), s.at(9), s.at(10), s.at(11)});
     }
     for (const json& e : j.at("edges")) {
         scans::EdgeMigration edge{
-            names.number(e.at(0)), names.number(e.at(1)), e.at(2), e.at(3), e.at(4), e.at(5), e.at(6)};
+            number(names, e.at(0)), number(names, e.at(1)), e.at(2), e.at(3), e.at(4), e.at(5), e.at(6)};
         if (edge.a > edge.b) {
             std::swap(edge.a, edge.b);
             std::swap(edge.into_a, edge.into_b);
@@ -115,13 +93,11 @@ scans::SurfaceStep step_from(const json& j, Names& names) {
 }
 
 template<class Read>
-auto read_as(const fs::path& file, std::span<const scans::KnownUnit> units, Read read)
-    -> std::optional<decltype(read(json{}, std::declval<Names&>()))> {
+auto read_as(const fs::path& file, const Read& read) -> std::optional<decltype(read(json{}))> {
     const auto bytes = read_sealed(file);
     if (!bytes) return std::nullopt;
-    Names names(units);
     try {
-        return read(json::parse(*bytes), names);
+        return read(json::parse(*bytes));
     } catch (const json::exception&) {
         return std::nullopt;
     } catch (const Error&) {
@@ -131,25 +107,41 @@ auto read_as(const fs::path& file, std::span<const scans::KnownUnit> units, Read
 
 } // namespace
 
-std::optional<scans::SurfaceSummary> StepCache::summary(const std::string& key, Units units) const {
-    return read_as(file_of(folder_, key, ".summary"), units, summary_from);
+StepCache::Names::Names(std::span<const scans::KnownUnit> units) {
+    texts_.reserve(units.size());
+    for (const scans::KnownUnit& unit : units) {
+        texts_.push_back(unit.id.value.to_string());
+        numbers_.emplace(texts_.back(), static_cast<UnitNumber>(numbers_.size()));
+    }
 }
 
-void StepCache::keep(const std::string& key, const scans::SurfaceSummary& summary, Units units) const {
-    write_sealed(file_of(folder_, key, ".summary"), to_json(summary, Names(units)).dump());
+scans::UnitNumber StepCache::Names::number(const std::string& text) const {
+    const auto found = numbers_.find(text);
+    if (found == numbers_.end()) throw Error(ErrorCode::NotFound, "a unit that is not outlined");
+    return found->second;
 }
 
-std::optional<scans::SurfaceStep> StepCache::step(const std::string& key, Units units) const {
-    return read_as(file_of(folder_, key, ".step"), units, step_from);
+StepCache::StepCache(fs::path folder, std::span<const scans::KnownUnit> units)
+    : folder_(std::move(folder)), names_(units) {}
+
+std::optional<scans::SurfaceSummary> StepCache::summary(const std::string& key) const {
+    return read_as(file_of(folder_, key, ".summary"), [&](const json& j) { return summary_from(j, names_); });
 }
 
-void StepCache::keep(const std::string& key, const scans::SurfaceStep& step, Units units) const {
-    write_sealed(file_of(folder_, key, ".step"), to_json(step, Names(units)).dump());
+void StepCache::keep(const std::string& key, const scans::SurfaceSummary& summary) const {
+    write_sealed(file_of(folder_, key, ".summary"), to_json(summary, names_).dump());
+}
+
+std::optional<scans::SurfaceStep> StepCache::step(const std::string& key) const {
+    return read_as(file_of(folder_, key, ".step"), [&](const json& j) { return step_from(j, names_); });
+}
+
+void StepCache::keep(const std::string& key, const scans::SurfaceStep& step) const {
+    write_sealed(file_of(folder_, key, ".step"), to_json(step, names_).dump());
 }
 
 std::optional<double> StepCache::density(const std::string& key) const {
-    return read_as(file_of(folder_, key, ".density"), {},
-                   [](const json& j, const Names&) { return j.at("density").get<double>(); });
+    return read_as(file_of(folder_, key, ".density"), [](const json& j) { return j.at("density").get<double>(); });
 }
 
 void StepCache::keep_density(const std::string& key, double density) const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -18,16 +19,31 @@ namespace planum::app {
 /// that is not outlined any more reads as nothing; what cannot be written is done without.
 class StepCache {
   public:
-    using Units = std::span<const scans::KnownUnit>;
+    /// Units by id in a file, by number in memory.
+    class Names {
+      public:
+        explicit Names(std::span<const scans::KnownUnit> units);
 
-    explicit StepCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+        [[nodiscard]] const std::string& text(scans::UnitNumber number) const {
+            return texts_[static_cast<std::size_t>(number)];
+        }
 
-    /// `units` by number, here and below.
-    [[nodiscard]] std::optional<scans::SurfaceSummary> summary(const std::string& key, Units units) const;
-    void keep(const std::string& key, const scans::SurfaceSummary& summary, Units units) const;
+        /// Throws NotFound for a unit that is not among them.
+        [[nodiscard]] scans::UnitNumber number(const std::string& text) const;
 
-    [[nodiscard]] std::optional<scans::SurfaceStep> step(const std::string& key, Units units) const;
-    void keep(const std::string& key, const scans::SurfaceStep& step, Units units) const;
+      private:
+        std::vector<std::string> texts_;
+        std::unordered_map<std::string, scans::UnitNumber> numbers_;
+    };
+
+    /// `units` by number.
+    StepCache(std::filesystem::path folder, std::span<const scans::KnownUnit> units);
+
+    [[nodiscard]] std::optional<scans::SurfaceSummary> summary(const std::string& key) const;
+    void keep(const std::string& key, const scans::SurfaceSummary& summary) const;
+
+    [[nodiscard]] std::optional<scans::SurfaceStep> step(const std::string& key) const;
+    void keep(const std::string& key, const scans::SurfaceStep& step) const;
 
     /// Points a cell inside the outlines.
     [[nodiscard]] std::optional<double> density(const std::string& key) const;
@@ -39,6 +55,7 @@ class StepCache {
 
   private:
     std::filesystem::path folder_;
+    Names names_;
 };
 
 } // namespace planum::app
