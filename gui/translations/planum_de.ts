@@ -192,7 +192,7 @@
     </message>
     <message>
         <source>Import %1 markers</source>
-        <translation>%1 Passpunkte einlesen</translation>
+        <translation>%1 Passmarken einlesen</translation>
     </message>
     <message>
         <source>Import %1 outline</source>
@@ -224,7 +224,7 @@
     </message>
     <message>
         <source>Register %1 scans</source>
-        <translation>%1 Scans registrieren</translation>
+        <translation>%1 Scans einpassen</translation>
     </message>
     <message>
         <source>Reject a suggestion</source>
@@ -1455,8 +1455,8 @@
         </translation>
     </message>
     <message>
-        <source>%1 m², %2 m since the surface before. %3</source>
-        <translation>%1 m², %2 m seit der Oberfläche davor. %3</translation>
+        <source>%1 m², %2 m</source>
+        <translation>%1 m², %2 m</translation>
     </message>
 </context>
 <context>
@@ -2031,8 +2031,27 @@
         <translation>Profil</translation>
     </message>
     <message>
-        <source>No section yet. A section is a line between two surveyed points; add one by importing outlines that name it.</source>
-        <translation>Noch kein Profil. Ein Profil ist eine Linie zwischen zwei eingemessenen Punkten; es kommt mit Umrissen, die es nennen.</translation>
+        <source>looking along the section …</source>
+        <translation>Blick entlang des Profils …</translation>
+    </message>
+    <message>
+        <source>No section yet. Draw outlines or put scans on the site grid, and a cut through them shows here; a section of the record is a line between two surveyed points, which outlines name when they are imported.</source>
+        <translation>Noch kein Profil. Umrisse zeichnen oder Scans ins Grabungsnetz einpassen, dann zeigt sich hier ein Schnitt hindurch; ein Profil der Aufnahme ist eine Linie zwischen zwei eingemessenen Punkten, die eingelesene Umrisse nennen.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionModel</name>
+    <message>
+        <source>Cut, west to east</source>
+        <translation>Schnitt, West nach Ost</translation>
+    </message>
+    <message>
+        <source>Cut, south to north</source>
+        <translation>Schnitt, Süd nach Nord</translation>
+    </message>
+    <message>
+        <source>Looking along the section</source>
+        <translation>Blick entlang des Profils</translation>
     </message>
 </context>
 <context>
@@ -2044,6 +2063,10 @@
     <message>
         <source>%1 m along, height %2 m</source>
         <translation>bei %1 m, Höhe %2 m</translation>
+    </message>
+    <message>
+        <source>A cut to look at; outlines are drawn on recorded sections.</source>
+        <translation>Ein Schnitt zum Ansehen; Umrisse werden auf aufgenommene Profile gezeichnet.</translation>
     </message>
 </context>
 <context>

@@ -1455,7 +1455,7 @@
         </translation>
     </message>
     <message>
-        <source>%1 m², %2 m since the surface before. %3</source>
+        <source>%1 m², %2 m</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2031,7 +2031,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No section yet. A section is a line between two surveyed points; add one by importing outlines that name it.</source>
+        <source>looking along the section …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No section yet. Draw outlines or put scans on the site grid, and a cut through them shows here; a section of the record is a line between two surveyed points, which outlines name when they are imported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionModel</name>
+    <message>
+        <source>Cut, west to east</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut, south to north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking along the section</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2043,6 +2062,10 @@
     </message>
     <message>
         <source>%1 m along, height %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cut to look at; outlines are drawn on recorded sections.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

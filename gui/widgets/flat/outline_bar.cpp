@@ -60,7 +60,7 @@ OutlineBar::OutlineBar(Models& models, const QString& view, Offers offers)
     sentence_->setProperty("role", "faint");
     // A narrow window gets a second line of tools instead of growing wider than the screen; whatever the sentence
     // says, it takes the same room, so that the picture does not move between two corners.
-    sentence_->setFixedSize(300, theme().touch + 6);
+    sentence_->setFixedSize(380, theme().touch + 8);
     sentence_->setWordWrap(true);
     auto* row = new FlowLayout(6);
     setLayout(row);

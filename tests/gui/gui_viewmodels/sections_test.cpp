@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "gui/viewmodels/section_model.hpp"
+
+#include "gui/viewmodels/models.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gui_project.hpp"
+#include "tests/support/measured_days.hpp"
+
+using namespace planum;
+using namespace planum::gui;
+using test::settle;
+
+TEST_CASE("Without a section in the record there are cuts through the middle of the outlines, with what scans show") {
+    const test::TemporaryFolder folder;
+    test::ensure_core_application();
+    (void)test::make_measured_days(folder, folder / "site.gpkg");
+    Models models{app::Session{"Ada"}};
+    SectionModel sections(models.workspace);
+    CHECK(sections.chosen() == -1);
+    models.workspace.open(folder / "site.gpkg", store::OpenMode::ReadWrite);
+    settle(models.workspace);
+    REQUIRE(sections.choices().size() == 2);
+    CHECK(sections.sheet() == nullptr); // nobody looks
+    const auto west_east = sections.section();
+    REQUIRE(west_east);
+    CHECK(west_east->id.is_nil());
+    CHECK(west_east->from_in_site[1] == Approx(0.5));
+    CHECK(west_east->to_in_site[1] == Approx(0.5));
+    CHECK(west_east->from_in_site[0] < 0.0);
+    CHECK(west_east->to_in_site[0] > 2.0);
+    sections.set_watched(true);
+    settle(models.workspace);
+    REQUIRE(sections.sheet() != nullptr);
+    CHECK_FALSE(sections.is_looking());
+    CHECK(sections.sheet()->extent.low[1] < 5.0);   // the floor
+    CHECK(sections.sheet()->extent.high[1] > 5.12); // and what lay on it on the first day
+    const auto before = sections.sheet();
+    models.workspace.edit(QStringLiteral("edit"), [](app::Project& project, Progress&) {
+        app::record_kind("unit").set(project, "3", {{"title", "floor"}});
+    });
+    settle(models.workspace);
+    CHECK(sections.sheet() == before); // the scans stand as they stood
+    sections.choose(1);
+    settle(models.workspace);
+    CHECK(sections.sheet() != before);
+    models.workspace.close();
+    CHECK(sections.choices().empty());
+    CHECK(sections.sheet() == nullptr);
+}
+
+TEST_CASE("Where nothing has a place there is no cut") { CHECK(middle_cuts({}).empty()); }
