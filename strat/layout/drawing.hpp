@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/diagnostic.hpp"
 #include "core/model/ids.hpp"
 #include "strat/matrix/harris_matrix.hpp"
 
@@ -78,6 +79,8 @@ struct DrawnLine {
     bool uncertain = false; ///< only uncertain relations say so: dashed
     bool through = false;   ///< holds by way of units that are not drawn: dotted
     bool upwards = false;   ///< the later box stands below: gets an arrow head
+    model::EvidenceVerdict verdict =
+        model::EvidenceVerdict::None; ///< other than None: drawn as that says, see show_evidence()
 };
 
 /// A phase or period as a strip across the drawing, with its heading at the left.

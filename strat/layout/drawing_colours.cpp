@@ -62,7 +62,18 @@ BoxStyle style_of(const DrawnBox& box) noexcept {
     return style;
 }
 
+StrokeStyle style_of(model::EvidenceVerdict verdict) noexcept {
+    switch (verdict) {
+    case model::EvidenceVerdict::Confirmed: return {0x1b7f4b, 1.6, Dash::Solid};
+    case model::EvidenceVerdict::Contradicted: return {kAlarm, 2.4, Dash::Dashed};
+    case model::EvidenceVerdict::Untestable:
+    case model::EvidenceVerdict::None: break;
+    }
+    return {0x8d8a83, 0.7, Dash::Dotted};
+}
+
 StrokeStyle style_of(const DrawnLine& line) noexcept {
+    if (line.verdict != model::EvidenceVerdict::None) return style_of(line.verdict);
     StrokeStyle style;
     if (line.mark != Mark::None) {
         style.colour = colour_of(line.mark);

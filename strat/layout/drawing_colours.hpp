@@ -43,6 +43,10 @@ struct DashPattern {
 
 [[nodiscard]] DashPattern pattern_of(Dash dash) noexcept;
 
+/// How a line is painted of which the evidence says so: it tells apart by width and dashes what it does by colour.
+/// None is painted as not testable.
+[[nodiscard]] StrokeStyle style_of(model::EvidenceVerdict verdict) noexcept;
+
 /// How a box or a line is painted; the same in SVG, PDF, PNG and on the screen.
 [[nodiscard]] BoxStyle style_of(const DrawnBox& box) noexcept;
 [[nodiscard]] StrokeStyle style_of(const DrawnLine& line) noexcept;

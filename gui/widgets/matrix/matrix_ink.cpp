@@ -75,18 +75,8 @@ QPen pen_of(const StrokeStyle& stroke, double scale, double stronger) {
 
 } // namespace
 
-StrokeStyle MatrixInk::style_of_verdict(model::EvidenceVerdict verdict) noexcept {
-    switch (verdict) {
-    case model::EvidenceVerdict::Confirmed: return {0x1b7f4b, 1.6, Dash::Solid};
-    case model::EvidenceVerdict::Contradicted: return {kAlarm, 2.4, Dash::Dashed};
-    case model::EvidenceVerdict::Untestable:
-    case model::EvidenceVerdict::None: break;
-    }
-    return {0x8d8a83, 0.7, Dash::Dotted};
-}
-
 StrokeStyle MatrixInk::look(std::size_t line) const {
-    return verdicts_.empty() ? style_of(drawing_->lines[line]) : style_of_verdict(verdicts_[line]);
+    return verdicts_.empty() ? style_of(drawing_->lines[line]) : style_of(verdicts_[line]);
 }
 
 MatrixInk::MatrixInk(std::shared_ptr<const MatrixDrawing> made, LineVerdicts verdicts)

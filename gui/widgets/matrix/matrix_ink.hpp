@@ -27,9 +27,6 @@ class MatrixInk {
     /// `verdicts`: what the evidence says about each line; empty: lines look as on paper.
     explicit MatrixInk(std::shared_ptr<const strat::MatrixDrawing> drawing, LineVerdicts verdicts = {});
 
-    /// How a line looks that the evidence judged so: it tells apart by width and dashes what it does by colour.
-    [[nodiscard]] static strat::StrokeStyle style_of_verdict(model::EvidenceVerdict verdict) noexcept;
-
     /// A picture of the whole, for scales at which the drawing is smaller than it; null where the drawing is small
     /// enough to be painted each time.
     [[nodiscard]] const QImage& overview() const noexcept { return overview_; }

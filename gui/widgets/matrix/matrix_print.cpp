@@ -56,7 +56,7 @@ void print_drawing(const strat::MatrixDrawing& drawing, QPrinter& printer) {
 }
 
 void print_matrix(const MatrixView& view, QWidget* parent) {
-    const auto drawing = view.drawing();
+    const auto drawing = view.drawing_for_paper();
     if (drawing == nullptr) return;
     auto* dialog = new QPrintPreviewDialog(parent);
     dialog->setObjectName(QStringLiteral("printPreview"));

@@ -17,6 +17,8 @@
 #include "gui/widgets/matrix/matrix_canvas.hpp"
 #include "gui/widgets/matrix/matrix_ink.hpp"
 #include "gui/widgets/theme.hpp"
+#include "strat/layout/drawing_colours.hpp"
+#include "strat/layout/drawing_evidence.hpp"
 
 namespace planum::gui {
 
@@ -40,6 +42,18 @@ MatrixView::MatrixView(Models& models)
     connect(&matrix_, &MatrixModel::drawn, this, [this] { count_->setText(words_of_drawing()); });
 }
 
+std::shared_ptr<const strat::MatrixDrawing> MatrixView::drawing_for_paper() const {
+    const auto shown = matrix_.drawing();
+    if (shown == nullptr || matrix_.verdicts().empty()) return shown;
+    auto drawing = std::make_shared<strat::MatrixDrawing>(*shown);
+    strat::EvidenceWords words;
+    words.confirmed = tr("confirmed").toStdString();
+    words.contradicted = tr("contradicted").toStdString();
+    words.untestable = tr("not testable").toStdString();
+    strat::show_evidence(*drawing, matrix_.verdicts(), words, text_);
+    return drawing;
+}
+
 // Says what the lines mean as long as they show the evidence, else how many there are.
 QString MatrixView::words_of_drawing() const {
     if (!matrix_.drawing()) return {};
@@ -49,7 +63,7 @@ QString MatrixView::words_of_drawing() const {
     using model::EvidenceVerdict;
     const auto part = [this](EvidenceVerdict verdict, const QString& sample, const QString& words) {
         const auto n = std::count(matrix_.verdicts().begin(), matrix_.verdicts().end(), verdict);
-        const QColor colour = theme().drawn(MatrixInk::style_of_verdict(verdict).colour);
+        const QColor colour = theme().drawn(strat::style_of(verdict).colour);
         return QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3&nbsp;%4")
             .arg(colour.name(), sample, QString::number(n), words);
     };

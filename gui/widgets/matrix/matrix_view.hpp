@@ -30,6 +30,9 @@ class MatrixView : public QWidget {
     /// What it shows; null until something is drawn.
     [[nodiscard]] std::shared_ptr<const strat::MatrixDrawing> drawing() const { return matrix_.drawing(); }
 
+    /// The same for print and files: with the evidence in its lines and its key while the view shows it.
+    [[nodiscard]] std::shared_ptr<const strat::MatrixDrawing> drawing_for_paper() const;
+
     [[nodiscard]] MatrixCanvas& canvas() noexcept { return *canvas_; }
 
   protected:

@@ -44,7 +44,8 @@ void write_sheet(const geometry::MapSheet& sheet, const std::filesystem::path& f
 
 } // namespace
 
-QString export_file(app::Project& project, const std::filesystem::path& file, Progress& progress) {
+QString export_file(app::Project& project, const std::filesystem::path& file, Progress& progress,
+                    const strat::MatrixDrawing* shown) {
     const std::string ending = text::fold_case(file.extension().string());
     const paint::FontTextMeasure measure;
     if (ending == ".xml" || ending == ".html") {
@@ -52,7 +53,8 @@ QString export_file(app::Project& project, const std::filesystem::path& file, Pr
         return wrote(file);
     }
     if (ending == ".svg" || ending == ".pdf" || ending == ".png") {
-        const strat::MatrixDrawing drawing = app::draw_matrix(project, {}, measure, progress);
+        const strat::MatrixDrawing drawing =
+            shown != nullptr ? *shown : app::draw_matrix(project, {}, measure, progress);
         paint::PdfOptions pdf;
         pdf.site = project.record().settings.name;
         pdf.date = project.clock().now().substr(0, 10);

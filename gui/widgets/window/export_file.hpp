@@ -9,13 +9,15 @@
 
 #include "app/project/project.hpp"
 #include "core/base/progress.hpp"
+#include "strat/layout/drawing.hpp"
 
 namespace planum::gui {
 
 /// Writes the project in the form that the ending names: `.xml` and `.html` are reports, `.svg`, `.pdf` and `.png` the
-/// matrix, all else the record for other programs. Returns what was written and what could not be carried. Throws
-/// Usage for an unknown ending.
-[[nodiscard]] QString export_file(app::Project& project, const std::filesystem::path& file, Progress& progress);
+/// matrix, all else the record for other programs. `shown`: the matrix as a view shows it, instead of one of the whole
+/// record. Returns what was written and what could not be carried. Throws Usage for an unknown ending.
+[[nodiscard]] QString export_file(app::Project& project, const std::filesystem::path& file, Progress& progress,
+                                  const strat::MatrixDrawing* shown = nullptr);
 
 /// Writes the report as `.pdf`, `.html` or `.xml`, of the whole record or, with an ISO date, of one day. Throws as
 /// app::write_report().

@@ -161,10 +161,14 @@ void ProjectMenu::make_demo(const std::filesystem::path& folder, bool medium) {
         [this](const QString& sentence) { window_.models().workspace.say(sentence); });
 }
 
+// While the matrix shows what the evidence says, so does what is written of it.
 void ProjectMenu::export_to(const std::filesystem::path& file) {
+    auto* matrix = dynamic_cast<MatrixView*>(window_.view("matrix"));
+    std::shared_ptr<const strat::MatrixDrawing> shown;
+    if (matrix != nullptr && matrix->model().shows_evidence()) shown = matrix->drawing_for_paper();
     window_.models().workspace.read(QStringLiteral("export"), tr("Writing %1").arg(qt(file.filename().string())),
-                                    [this, file](app::Project& project, Progress& progress) -> JobRunner::Done {
-                                        const QString sentence = export_file(project, file, progress);
+                                    [this, file, shown](app::Project& project, Progress& progress) -> JobRunner::Done {
+                                        const QString sentence = export_file(project, file, progress, shown.get());
                                         return [this, sentence] { emit window_.models().day.done(sentence); };
                                     });
 }
