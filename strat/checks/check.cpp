@@ -20,12 +20,19 @@ struct Family {
 };
 
 constexpr std::array kFamilies = {
-    Family{"looking for circles", check_cycles},    Family{"comparing relations", check_pairs},
-    Family{"comparing levels", check_levels},       Family{"comparing surfaces", check_surfaces},
-    Family{"comparing dates", check_dates},         Family{"comparing phases", check_phases},
-    Family{"following the digging", check_digging}, Family{"looking at kinds", check_kinds},
-    Family{"looking at numbers", check_numbers},    Family{"looking at sources", check_sources},
-    Family{"looking at scans", check_scans},        Family{"counting redundant relations", check_redundancy},
+    Family{"looking for circles", check_cycles},
+    Family{"comparing relations", check_pairs},
+    Family{"comparing levels", check_levels},
+    Family{"comparing surfaces", check_surfaces},
+    Family{"comparing dates", check_dates},
+    Family{"comparing phases", check_phases},
+    Family{"following the digging", check_digging},
+    Family{"looking at kinds", check_kinds},
+    Family{"looking at numbers", check_numbers},
+    Family{"looking at sources", check_sources},
+    Family{"looking at scans", check_scans},
+    Family{"looking at outlines", check_regions},
+    Family{"counting redundant relations", check_redundancy},
 };
 
 constexpr std::array kCodes = {
@@ -55,6 +62,8 @@ constexpr std::array kCodes = {
     CheckCode{"dangling-unit", Severity::Warning, "a unit that is named but has no sheet"},
     CheckCode{"unparsed", Severity::Warning, "a line of a source that was not understood"},
     CheckCode{"isolated-unit", Severity::Info, "a unit in no order"},
+    CheckCode{"unit-without-region", Severity::Info, "a unit that is outlined nowhere"},
+    CheckCode{"region-without-unit", Severity::Info, "an outline of a unit that has no number, or one that is no unit"},
     CheckCode{"scan-unregistered", Severity::Info, "a scan without a place on the site grid"},
     CheckCode{"scan-poorly-registered", Severity::Info, "a scan whose place is not sure to 10 mm and 0.1 degrees"},
     CheckCode{"redundant-relation", Severity::Info, "a relation that follows from others"},

@@ -57,10 +57,15 @@ model::Diagnostic bundle(const CheckContext& c, std::vector<model::Diagnostic> a
             names.push_back(c.index.name(d.units.front()));
         } else if (const auto scan = d.evidence.find("scan"); scan != d.evidence.end()) {
             names.push_back(std::get<std::string>(scan->second));
+        } else if (const auto drawn = d.evidence.find("drawn_as"); drawn != d.evidence.end()) {
+            const auto& number = std::get<std::string>(drawn->second);
+            names.push_back(number.empty() ? "one without a number" : number);
         }
     }
     std::string what = one.code;
     if (one.code == "isolated-unit") what = "units stand in no order to any other unit";
+    if (one.code == "unit-without-region") what = "units are outlined on no surface and in no section";
+    if (one.code == "region-without-unit") what = "outlines belong to no unit of the project";
     if (one.code == "scan-unregistered") what = "scans are not on the site grid (planum register)";
     if (one.code == "scan-poorly-registered") what = "scans are placed poorly";
     if (one.code == "dangling-unit") what = "units are named in relations but have no sheet of their own";
@@ -109,7 +114,7 @@ std::string diagnostic_id(const CheckContext& context, const model::Diagnostic& 
         if (it == d.evidence.end()) return;
         if (const auto* text = std::get_if<std::string>(&it->second)) parts.push_back(key + "=" + *text);
     };
-    for (const std::string key : {"find", "source", "file", "note", "text", "scan"}) add_text(key);
+    for (const std::string key : {"find", "source", "file", "note", "text", "scan", "region"}) add_text(key);
     return short_hash(d.code, parts);
 }
 

@@ -70,3 +70,95 @@ TEST_CASE("A run that was discarded places nothing") {
     record.runs[0].state = "discarded";
     CHECK(said(record, "scan-unregistered").size() == 1);
 }
+
+namespace {
+
+/// Units 1 and 2, one scan, and a surface with an outline of unit 1.
+model::Record record_with_outline() {
+    model::Record record = record_with_scans(1, 0, 0.001);
+    SeededUuids ids(8);
+    model::Surface surface;
+    surface.id = model::SurfaceId{ids.next()};
+    surface.first_day = "2025-06-01";
+    record.surfaces.push_back(surface);
+    model::Region region;
+    region.id = model::RegionId{ids.next()};
+    region.surface = surface.id;
+    region.unit = record.units[0].id;
+    region.outline = {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {}}};
+    record.regions.push_back(region);
+    return record;
+}
+
+} // namespace
+
+TEST_CASE("An outline that waits for its unit is said with the number that was drawn") {
+    model::Record record = record_with_outline();
+    CHECK(said(record, "region-without-unit").empty());
+    model::Region region = record.regions[0];
+    region.id = model::RegionId{SeededUuids(9).next()};
+    region.unit = {};
+    region.unit_as_drawn = "17";
+    record.regions.push_back(region);
+    const auto found = said(record, "region-without-unit");
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0].message, Catch::Contains("2025-06-01") && Catch::Contains("17"));
+    record.regions[1].category = model::RegionCategory::Spoil; // no unit is meant
+    CHECK(said(record, "region-without-unit").empty());
+    record.regions[1].category = model::RegionCategory::Unit;
+    record.scans.clear();
+    CHECK(said(record, "region-without-unit").empty());
+}
+
+TEST_CASE("A unit that nobody outlined is said where others of its area are outlined") {
+    model::Record record = record_with_outline();
+    const auto found = said(record, "unit-without-region");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].units == std::vector{record.units[1].id});
+    const auto is_silent = [&] { return said(record, "unit-without-region").empty(); };
+    SECTION("a void one is not") {
+        record.units[1].status = model::UnitStatus::Void;
+        CHECK(is_silent());
+    }
+    SECTION("one that is only named is not") {
+        record.units[1].origin = model::UnitOrigin::Mentioned;
+        CHECK(is_silent());
+    }
+    SECTION("nor without scans") {
+        record.scans.clear();
+        CHECK(is_silent());
+    }
+    SECTION("nor where nothing is outlined") {
+        record.regions.clear();
+        CHECK(is_silent());
+    }
+    SECTION("nor one that was drawn in a section") {
+        model::Region region = record.regions[0];
+        region.id = model::RegionId{SeededUuids(9).next()};
+        region.surface = {};
+        region.section = model::SectionId{SeededUuids(10).next()};
+        region.unit = record.units[1].id;
+        record.regions.push_back(region);
+        CHECK(is_silent());
+    }
+    SECTION("nor one of an area without outlines") {
+        SeededUuids ids(11);
+        for (const char* name : {"A", "B"}) record.areas.push_back({model::AreaId{ids.next()}, name, "", {}, "", ""});
+        record.surfaces[0].area = record.units[0].area = record.areas[0].id;
+        record.units[1].area = record.areas[1].id;
+        CHECK(is_silent());
+    }
+}
+
+TEST_CASE("Many units without outlines are one line that names some") {
+    model::Record record = record_with_outline();
+    for (int i = 0; i < 30; ++i) {
+        model::StratigraphicUnit unit = record.units[1];
+        unit.id = model::UnitId{SeededUuids(static_cast<std::uint64_t>(100 + i)).next()};
+        unit.number = std::to_string(100 + i);
+        record.units.push_back(unit);
+    }
+    const auto found = said(record, "unit-without-region");
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0].message, Catch::Contains("31 units"));
+}
