@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The window: how soon a large project can be worked on, how long the window is deaf meanwhile, frames of 3D while the
 // camera moves and points once it stands still. Wants a display: xvfb-run -s "-screen 0 1680x1100x24".
-// Usage: bench_desktop [MILLION_POINTS [FOLDER]]: points of the scans (8); the project is made in FOLDER, or taken from
-// there where an earlier run left it, because 100 million points take minutes to add.
+// Then zooming and moving in matrix and panorama.
+// Usage: bench_desktop [MILLION_POINTS [FOLDER [UNITS]]]: points of the scans (8), units (5000); the project is made in
+// FOLDER, or taken from there where an earlier run left it, because 100 million points take minutes to add.
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QKeyEvent>
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,7 +33,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kUnits = 5000;
 constexpr int kSurfaces = 100;
 constexpr int kScans = 4;
 constexpr int kPatience = 600'000; // [ms]
@@ -41,10 +42,10 @@ void insert_all(app::Project& project, const Values& values) {
     for (const auto& value : values) project.file().insert(value);
 }
 
-// 5,000 units with sheets, levels, finds and phases; 100 surfaces with the outlines of ten units each.
-void write_record(app::Project& project) {
+// Units with sheets, levels, finds and phases; 100 surfaces with the outlines of ten units each.
+void write_record(app::Project& project, int units) {
     app::RecordOptions options;
-    options.units = kUnits;
+    options.units = units;
     const model::Record record = app::generate_record(options).record;
     project.change("Import", [&] {
         insert_all(project, record.sources);
@@ -234,11 +235,44 @@ void measure_space(MainWindow& window) {
                canvas->drawn_points(), still, pulse.longest());
 }
 
+// Zooms in step by step and moves at each, then out again, as the keys do; each frame painted at once.
+void measure_moving_about(MainWindow& window, const char* view, const char* canvas_name) {
+    Pulse pulse;
+    QElapsedTimer timer;
+    timer.start();
+    window.show_view(view);
+    QApplication::processEvents();
+    seconds_until([&] { return window.models().workspace.jobs().is_idle(); });
+    auto* canvas = window.findChild<QWidget*>(QString::fromLatin1(canvas_name));
+    if (canvas == nullptr) return fmt::print("no {}\n", canvas_name), void();
+    fmt::print("{}: there after {:.2f} s, longest time without an answer: {} ms\n", view,
+               static_cast<double>(timer.elapsed()) / 1e3, pulse.longest());
+    std::vector<double> frames;
+    const auto press = [&](int key) {
+        QElapsedTimer frame;
+        frame.start();
+        QKeyEvent event(QEvent::KeyPress, key, {});
+        QApplication::sendEvent(canvas, &event);
+        canvas->repaint();
+        frames.push_back(static_cast<double>(frame.nsecsElapsed()) / 1e6);
+    };
+    for (const int zoom : {Qt::Key_Plus, Qt::Key_Minus}) {
+        for (int i = 0; i < 20; ++i) {
+            press(zoom);
+            if (canvas_name == std::string_view("panoramaCanvas")) press(i % 2 == 0 ? Qt::Key_Right : Qt::Key_Down);
+        }
+    }
+    std::sort(frames.begin(), frames.end());
+    fmt::print("  {} x {}: {} frames, median {:.0f} ms, slowest {:.0f} ms\n", canvas->width(), canvas->height(),
+               frames.size(), frames[frames.size() / 2], frames.back());
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     const std::int64_t points = 1'000'000LL * (argc > 1 ? std::atoi(argv[1]) : 8);
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+    const int units = argc > 3 ? std::atoi(argv[3]) : 5000;
     const TracingApplication application(argc, argv);
     apply_theme(ThemeKind::Light);
     const bench::Scratch scratch;
@@ -249,12 +283,12 @@ int main(int argc, char** argv) {
         fmt::print("{}\n{} as an earlier run left it\n", bench::machine(), site.string());
     } else {
         app::Project project = app::Project::create(site, {}, {"bench"});
-        write_record(project);
+        write_record(project, units);
         QElapsedTimer timer;
         timer.start();
         write_scans(project, folder / "2025-06-01", points);
         fmt::print("{}\n{} units, {} surfaces, {} scans with {} million points (added in {:.0f} s)\n", bench::machine(),
-                   kUnits, kSurfaces + 1, kScans, points / 1'000'000, static_cast<double>(timer.elapsed()) / 1e3);
+                   units, kSurfaces + 1, kScans, points / 1'000'000, static_cast<double>(timer.elapsed()) / 1e3);
     }
     MainWindow window(app::Session{"bench"});
     window.resize(1600, 1000);
@@ -262,5 +296,7 @@ int main(int argc, char** argv) {
     QApplication::processEvents();
     measure_opening(window, site);
     measure_space(window);
+    measure_moving_about(window, "matrix", "matrixCanvas");
+    measure_moving_about(window, "panorama", "panoramaCanvas");
     return 0;
 }

@@ -95,14 +95,18 @@ void PanoramaModel::load() {
     emit changed();
     workspace_.read(
         QStringLiteral("panorama"), tr("Unrolling %1").arg(qt(scan_)),
-        [this, name = scan_, request = request_](app::Project& project, Progress& progress) -> JobRunner::Done {
+        [this, name = scan_, request = request_, prepare = preparation_](app::Project& project,
+                                                                         Progress& progress) -> JobRunner::Done {
             const model::Scan scan = app::scan_named(project, name);
             const auto store = app::open_store(project.path(), scan, progress);
             const scans::ScanExtent extent = app::scan_extent(*store, progress);
             scans::Panorama panorama = app::scan_panorama(*store, extent, request, progress);
             scans::Picture picture = panorama.picture(app::panorama_channel(*store, request.channel));
+            progress.check();
+            auto prepared = prepare ? prepare(picture) : nullptr;
             auto loaded = std::make_shared<const LoadedPanorama>(
-                LoadedPanorama{scan, std::move(panorama), std::move(picture), pose_of(project.record(), scan.id)});
+                LoadedPanorama{scan, std::move(panorama), std::move(picture), pose_of(project.record(), scan.id),
+                               std::move(prepared)});
             return [this, loaded] {
                 loaded_ = loaded;
                 loading_ = false;

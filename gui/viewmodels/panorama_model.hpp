@@ -6,9 +6,11 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/regions/ready_patches.hpp"
@@ -31,6 +33,7 @@ struct LoadedPanorama {
     scans::Panorama panorama;
     scans::Picture picture;
     std::optional<geometry::Rigid3> site_from_scan; ///< unset: the scan is not on the site grid
+    std::shared_ptr<const void> prepared;           ///< what the view made of the picture, see set_preparation()
 };
 
 /// The panorama of one scan of the surface that the time line shows: made in a thread, with the outlines of that
@@ -40,6 +43,12 @@ class PanoramaModel : public QObject {
 
   public:
     PanoramaModel(Workspace& workspace, TimeModel& time, QObject* parent = nullptr);
+
+    /// Makes of a picture what a view paints from, in the thread that unrolled it: shrinking 20,000 pixels takes longer
+    /// than a window may wait.
+    using Preparation = std::function<std::shared_ptr<const void>(const scans::Picture&)>;
+
+    void set_preparation(Preparation preparation) { preparation_ = std::move(preparation); }
 
     void set_watched(bool watched);
 
@@ -87,6 +96,7 @@ class PanoramaModel : public QObject {
     TimeModel& time_;
     std::string scan_;
     app::PanoramaRequest request_;
+    Preparation preparation_;
     bool watched_ = false;
     bool stale_ = true;
     bool loading_ = false;

@@ -22,11 +22,24 @@ QImage image_of(const scans::Picture& picture) {
     return borrowed.copy();
 }
 
+// The picture in halves of its size; made in a thread.
+std::shared_ptr<const std::vector<QImage>> halves_of(const scans::Picture& picture) {
+    auto halves = std::make_shared<std::vector<QImage>>();
+    halves->push_back(image_of(picture));
+    while (halves->back().width() > 1500) {
+        const QImage& last = halves->back();
+        halves->push_back(last.scaled(last.width() / 2, std::max(last.height() / 2, 1), Qt::IgnoreAspectRatio,
+                                      Qt::SmoothTransformation));
+    }
+    return halves;
+}
+
 } // namespace
 
 PanoramaCanvas::PanoramaCanvas(Models& models_in, PanoramaModel& panorama)
     : FlatCanvas(models_in, kPanorama, Up::Downwards), panorama_(panorama) {
     setAccessibleName(tr("Panorama"));
+    panorama_.set_preparation([](const scans::Picture& picture) { return halves_of(picture); });
 }
 
 QRectF PanoramaCanvas::extent() const {
@@ -45,13 +58,7 @@ void PanoramaCanvas::refresh() {
                                shown_->picture.width == panorama_.loaded()->picture.width &&
                                shown_->scan.id == panorama_.loaded()->scan.id;
         shown_ = panorama_.loaded();
-        halves_.clear();
-        if (shown_) halves_.push_back(image_of(shown_->picture));
-        while (shown_ && halves_.back().width() > 1500) {
-            halves_.push_back(halves_.back().scaled(halves_.back().width() / 2,
-                                                    std::max(halves_.back().height() / 2, 1), Qt::IgnoreAspectRatio,
-                                                    Qt::SmoothTransformation));
-        }
+        halves_ = shown_ ? std::static_pointer_cast<const std::vector<QImage>>(shown_->prepared) : nullptr;
         if (!same_size) fit();
     }
     set_shapes(panorama_.shapes());
@@ -64,10 +71,10 @@ void PanoramaCanvas::show_patches() {
 }
 
 void PanoramaCanvas::paint_ground(QPainter& painter, const QRectF& seen) {
-    if (halves_.empty()) return;
+    if (halves_ == nullptr || halves_->empty()) return;
     std::size_t level = 0;
-    while (level + 1 < halves_.size() && scale() * static_cast<double>(2U << level) <= 1.0) ++level;
-    const QImage& image = halves_[level];
+    while (level + 1 < halves_->size() && scale() * static_cast<double>(2U << level) <= 1.0) ++level;
+    const QImage& image = (*halves_)[level];
     const QRectF part = seen.intersected(extent());
     const double shrink = image.width() / extent().width();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 3.0);

@@ -34,7 +34,7 @@ class PanoramaCanvas : public FlatCanvas {
   private:
     PanoramaModel& panorama_;
     std::shared_ptr<const LoadedPanorama> shown_;
-    std::vector<QImage> halves_; ///< full size first
+    std::shared_ptr<const std::vector<QImage>> halves_; ///< full size first
 };
 
 class PanoramaView : public FlatPage {
