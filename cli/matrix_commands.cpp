@@ -74,8 +74,10 @@ paint::PdfOptions pdf_options(const app::Project& project, const Options& option
 
 void run_draw(const Context& context, const Options& options) {
     app::Project project = context.open(OpenMode::ReadOnly);
-    const std::string ending = text::fold_case(std::filesystem::path(options.output).extension().string());
-    if (ending != ".svg" && ending != ".pdf" && ending != ".png") {
+    const std::string kind = options.format.empty()
+                                 ? text::fold_case(std::filesystem::path(options.output).extension().string())
+                                 : "." + text::fold_case(options.format);
+    if (kind != ".svg" && kind != ".pdf" && kind != ".png") {
         try {
             return write_export(context, project, options.output, {options.format, options.draw.interpretation});
         } catch (Error& e) {
@@ -86,9 +88,9 @@ void run_draw(const Context& context, const Options& options) {
     const paint::FontTextMeasure measure;
     const strat::MatrixDrawing drawing = app::draw_matrix(project, options.draw, measure, *context.progress);
     std::string bytes;
-    if (ending == ".svg") bytes = strat::write_svg(drawing);
-    if (ending == ".png") bytes = paint::render_png(drawing, {.dpi = options.dpi});
-    if (ending == ".pdf") {
+    if (kind == ".svg") bytes = strat::write_svg(drawing);
+    if (kind == ".png") bytes = paint::render_png(drawing, {.dpi = options.dpi});
+    if (kind == ".pdf") {
         bytes = paint::render_pdf(drawing, pdf_options(project, options, project.record().settings.name),
                                   *context.progress);
     }
@@ -107,13 +109,15 @@ void add_matrix_commands(CLI::App& root, Context& context) {
                            "file to write: .svg .pdf .png are drawings; .dot .graphml .lst .hmcx .csv "
                            ".json are for other programs");
     matrix->add_option("--format", options->format,
-                       "format of the file, where its ending does not say (hmc-csv, hm, …)");
+                       "format of the file, where its ending does not say (svg, hmc-csv, hm, …)");
     matrix->add_flag("--stats", options->stats, "print counts instead")->excludes(output);
     matrix->add_option("--engine", options->draw.engine, "layout engine");
     matrix->add_option("--interpretation", options->draw.interpretation, "this reading instead of the field record");
     matrix->add_option("--area", options->draw.area, "only this area");
     matrix->add_option("--around", options->draw.around, "only the neighbourhood of this unit");
-    matrix->add_option("--steps", options->draw.around_steps, "how far around it")->capture_default_str();
+    matrix->add_option("--steps", options->draw.around_steps, "how far around it")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 100'000));
     matrix->add_option("--fold", options->draw.fold, "phases, periods or groups: one box each");
     matrix->add_option("--bands", options->draw.bands,
                        "phases, periods or none; unasked where most units have a phase");
@@ -132,7 +136,13 @@ void add_matrix_commands(CLI::App& root, Context& context) {
         ->check(CLI::IsMember({"page", "poster"}));
     matrix->add_option("--dpi", options->dpi, "PNG: pixels per inch")
         ->capture_default_str()
-        ->check(CLI::Range(20.0, 1200.0));
+        ->check(CLI::Range(20.0, 1200.0))
+        ->check(
+            [](const std::string& text) {
+                // The range takes what is not a number for one inside it.
+                return text::fold_case(text).find("nan") == std::string::npos ? std::string{} : "no number";
+            },
+            "");
     matrix->callback([&context, options] {
         if (options->stats) return run_stats(context, *options);
         if (options->output.empty()) throw Error(ErrorCode::Usage, "matrix: say -o FILE or --stats");

@@ -11,6 +11,7 @@
 
 #include "app/checks/daily_check.hpp"
 #include "app/drawing/compare_readings.hpp"
+#include "core/base/calendar.hpp"
 #include "core/base/error.hpp"
 #include "strat/layout/graphviz_engine.hpp"
 #include "strat/layout/planum_engine.hpp"
@@ -166,6 +167,10 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     model::Record drawn = interpreted(project.record(), request.interpretation);
     if (!request.since.empty() && !request.compared_with.empty()) {
         throw Error(ErrorCode::Usage, "compare: two days or two interpretations, not both at once");
+    }
+    if (!request.since.empty() && !is_day(request.since.substr(0, 10))) {
+        throw Error(ErrorCode::Usage,
+                    fmt::format("since: {} is no day; write YYYY-MM-DD, the time behind it if need be", request.since));
     }
     if (!request.since.empty()) keep_changed(project, request, drawn, options);
     if (!request.compared_with.empty()) keep_compared(project, request, drawn, options);
