@@ -45,7 +45,7 @@ void insert_all(app::Project& project, const Values& values) {
 // Units with sheets, levels, finds and phases; 100 surfaces with the outlines of ten units each.
 void write_record(app::Project& project, int units) {
     app::RecordOptions options;
-    options.units = units;
+    options.units = static_cast<std::size_t>(units);
     const model::Record record = app::generate_record(options).record;
     project.change("Import", [&] {
         insert_all(project, record.sources);
