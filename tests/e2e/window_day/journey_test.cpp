@@ -169,7 +169,7 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
     hands.find<QLineEdit>("planOutlineUnit")->selectAll();
     QTest::keyClicks(hands.find<QLineEdit>("planOutlineUnit"), QStringLiteral("901"));
     std::vector<Place> beside = corners_in(dig, 0.5);
-    for (const Place& place : beside) hands.click_at(plan, plan->to_screen({place.x + 1.2, place.y}));
+    for (const Place& spot : beside) hands.click_at(plan, plan->to_screen({spot.x + 1.2, spot.y}));
     QTest::mouseClick(plan, Qt::LeftButton, {}, plan->to_screen({beside[0].x + 1.2, beside[0].y}).toPoint());
     hands.settle_all();
     REQUIRE(hands.record().regions.size() == 2);
