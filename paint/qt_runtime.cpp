@@ -2,6 +2,7 @@
 #include "paint/qt_runtime.hpp"
 
 #include <QGuiApplication>
+#include <QHashFunctions>
 
 #include <array>
 #include <mutex>
@@ -11,6 +12,9 @@ namespace planum::paint {
 void ensure_qt_runtime() {
     static std::once_flag once;
     std::call_once(once, [] {
+        // Qt numbers the glyphs of an embedded font as its hash goes through them; the same drawing shall be the same
+        // file.
+        QHashSeed::setDeterministicGlobalSeed();
         if (QCoreApplication::instance() != nullptr) return;
         // Whatever display there is, we need none, and must not fail for a wrong one.
         qputenv("QT_QPA_PLATFORM", "offscreen");
