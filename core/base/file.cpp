@@ -26,7 +26,22 @@ void write_all(int descriptor, std::string_view bytes, const std::filesystem::pa
         if (written < 0) fail(file, "writing", errno);
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    if (::fsync(descriptor) != 0) fail(file, "writing to disk", errno);
+    // Pipes and terminals have no disk behind them.
+    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP)
+        fail(file, "writing to disk", errno);
+}
+
+/// A device, a pipe, a terminal: renaming a file over it would put an ordinary file in its place.
+void write_into(const std::filesystem::path& device, std::string_view bytes) {
+    const int descriptor = ::open(device.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(device, "cannot be written", errno);
+    try {
+        write_all(descriptor, bytes, device);
+    } catch (...) {
+        ::close(descriptor);
+        throw;
+    }
+    ::close(descriptor);
 }
 
 } // namespace
@@ -53,7 +68,14 @@ std::string read_file(const std::filesystem::path& file, std::uintmax_t limit) {
     return bytes;
 }
 
-void write_file_atomically(const std::filesystem::path& file, std::string_view bytes) {
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
+    std::error_code none;
+    const auto status = std::filesystem::status(path, none);
+    if (std::filesystem::is_other(status)) return write_into(path, bytes);
+    // Through a link to what it points to; where that is not there yet, the link itself becomes the file.
+    const bool is_link = std::filesystem::is_symlink(std::filesystem::symlink_status(path, none));
+    const std::filesystem::path file =
+        is_link && std::filesystem::exists(status) ? std::filesystem::canonical(path, none) : path;
     const std::filesystem::path temporary = file.string() + fmt::format(".{}.part", ::getpid());
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) fail(file, "cannot be written", errno);

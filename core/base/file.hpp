@@ -13,7 +13,7 @@ namespace planum {
 [[nodiscard]] std::string read_file(const std::filesystem::path& file, std::uintmax_t limit);
 
 /// Writes beside the target and renames, after fsync: the file is the old one or the new one, never
-/// half. Throws Io, and then leaves nothing behind.
+/// half. A link is followed; a device or pipe is written into. Throws Io, and then leaves nothing behind.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 } // namespace planum

@@ -61,3 +61,26 @@ TEST_CASE("A file is written whole or not at all") {
     CHECK_THROWS_AS(write_file_atomically(folder / "no/such/folder/out.txt", "x"), Error);
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
+
+TEST_CASE("A link is written through, and what is no file is written into, never replaced") {
+    namespace fs = std::filesystem;
+    const test::TemporaryFolder folder;
+    write_file_atomically(folder / "kept.txt", "first");
+    fs::create_symlink("kept.txt", folder / "link.txt");
+    write_file_atomically(folder / "link.txt", "second");
+    CHECK(fs::is_symlink(folder / "link.txt"));
+    CHECK(read_file(folder / "kept.txt", 100) == "second");
+    // Through links, so that nothing of the system is lost if this fails.
+    for (const char* device : {"/dev/null", "/dev/full"}) {
+        const auto link = folder / fs::path(device).filename().string();
+        fs::create_symlink(device, link);
+        INFO(device);
+        if (std::string_view(device) == "/dev/full") {
+            CHECK_THROWS_AS(write_file_atomically(link, "x"), Error);
+        } else {
+            CHECK_NOTHROW(write_file_atomically(link, "x"));
+        }
+        CHECK(fs::is_symlink(link));
+    }
+    CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 4);
+}
