@@ -14,6 +14,7 @@
 #include "app/regions/region_names.hpp"
 #include "app/regions/region_points.hpp"
 #include "core/base/error.hpp"
+#include "core/base/file.hpp"
 
 namespace planum::app {
 
@@ -43,7 +44,9 @@ std::string ply_header(std::int64_t points, bool colour) {
 class PlyFile {
   public:
     PlyFile(const fs::path& target, const std::string& header)
-        : target_(target), partial_(target.string() + ".part"), out_(partial_, std::ios::binary), bytes_(header) {
+        : target_(target), partial_(target.string() + ".part"), bytes_(header) {
+        refuse_to_replace_database(target_);
+        out_.open(partial_, std::ios::binary);
         if (!out_) fail();
     }
 

@@ -68,10 +68,19 @@ std::string read_file(const std::filesystem::path& file, std::uintmax_t limit) {
     return bytes;
 }
 
+void refuse_to_replace_database(const std::filesystem::path& file) {
+    constexpr std::string_view kDatabase("SQLite format 3\0", 16);
+    std::string start(kDatabase.size(), '\0');
+    std::ifstream in(file, std::ios::binary);
+    if (!in.read(start.data(), static_cast<std::streamsize>(start.size())) || start != kDatabase) return;
+    throw Error(ErrorCode::BadInput, file.string() + ": is a project or another database; name another file to write");
+}
+
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
     std::error_code none;
     const auto status = std::filesystem::status(path, none);
     if (std::filesystem::is_other(status)) return write_into(path, bytes);
+    refuse_to_replace_database(path);
     // Through a link to what it points to; where that is not there yet, the link itself becomes the file.
     const bool is_link = std::filesystem::is_symlink(std::filesystem::symlink_status(path, none));
     const std::filesystem::path file =

@@ -12,8 +12,13 @@ namespace planum {
 /// `limit` or no ordinary file, Io when reading fails.
 [[nodiscard]] std::string read_file(const std::filesystem::path& file, std::uintmax_t limit);
 
+/// Throws BadInput when `file` is an SQLite database: a slip of the hand (`-o site.gpkg`) must not cost
+/// the record. Says nothing about files that are not there or cannot be read.
+void refuse_to_replace_database(const std::filesystem::path& file);
+
 /// Writes beside the target and renames, after fsync: the file is the old one or the new one, never
-/// half. A link is followed; a device or pipe is written into. Throws Io, and then leaves nothing behind.
+/// half. A link is followed; a device or pipe is written into. Throws BadInput when the target is an
+/// SQLite database, else Io, and then leaves nothing behind.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 } // namespace planum

@@ -84,3 +84,19 @@ TEST_CASE("A link is written through, and what is no file is written into, never
     }
     CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 4);
 }
+
+TEST_CASE("A database is not replaced by another kind of file") {
+    const test::TemporaryFolder folder;
+    const auto project = folder / "site.gpkg";
+    const std::string database("SQLite format 3\0 and the record of years", 40);
+    write_file_atomically(project, database);
+    try {
+        write_file_atomically(project, "<svg/>");
+        FAIL("replaced");
+    } catch (const Error& e) {
+        CHECK(e.code() == ErrorCode::BadInput);
+    }
+    std::filesystem::create_symlink("site.gpkg", folder / "drawing.svg");
+    CHECK_THROWS_AS(write_file_atomically(folder / "drawing.svg", "<svg/>"), Error);
+    CHECK(read_file(project, 100) == database);
+}
