@@ -72,12 +72,29 @@ paint::PdfOptions pdf_options(const app::Project& project, const Options& option
     return pdf;
 }
 
+// What chooses a part of the site is understood by drawings only; a whole site sent off for a part would not be
+// noticed.
+void refuse_part(const app::DrawRequest& draw) {
+    const std::pair<const char*, bool> parts[] = {
+        {"area", !draw.area.empty()},   {"around", !draw.around.empty()},         {"fold", !draw.fold.empty()},
+        {"since", !draw.since.empty()}, {"compare", !draw.compared_with.empty()}, {"problems", draw.problems_only},
+    };
+    for (const auto& [name, is_given] : parts) {
+        if (!is_given) continue;
+        throw Error(ErrorCode::Usage,
+                    fmt::format("matrix: a file for other programs holds the whole site; {} makes a part "
+                                "of a drawing only (.svg, .pdf, .png)",
+                                name));
+    }
+}
+
 void run_draw(const Context& context, const Options& options) {
     app::Project project = context.open(OpenMode::ReadOnly);
     const std::string kind = options.format.empty()
                                  ? text::fold_case(std::filesystem::path(options.output).extension().string())
                                  : "." + text::fold_case(options.format);
     if (kind != ".svg" && kind != ".pdf" && kind != ".png") {
+        refuse_part(options.draw);
         try {
             return write_export(context, project, options.output, {options.format, options.draw.interpretation});
         } catch (Error& e) {
