@@ -75,11 +75,13 @@ std::vector<std::string> joined_names(const std::vector<std::string>& names, con
 
 void size_box(DrawnBox& box, const TextMeasure& measure) {
     double widest = 0.0;
+    box.line_widths.clear();
     for (const std::string& line : box.lines) {
         box.line_widths.push_back(measure.width(line, box.text_size, FontWeight::Regular));
         widest = std::max(widest, box.line_widths.back());
     }
-    box.rect.width = std::max(style::kBoxMinWidth, widest + 2.0 * style::kBoxPadding);
+    box.rect.width = std::max(style::kBoxMinWidth, widest + 2.0 * style::kBoxPadding) +
+                     (box.inner_cycle ? 2.0 * style::kInnerMark : 0.0);
     box.rect.height = style::kBoxHeight + style::kLineHeight * static_cast<double>(box.lines.size() - 1);
 }
 

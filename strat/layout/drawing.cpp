@@ -2,7 +2,12 @@
 #include "strat/layout/drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string_view>
+#include <utility>
+
+#include "strat/layout/drawing_style.hpp"
 
 namespace planum::strat {
 
@@ -34,6 +39,23 @@ std::vector<DrawPoint> chamfered(const DrawRect& r, double top, double bottom) {
 std::vector<DrawPoint> upright(double x, const DrawRect& r) { return {{x, r.y}, {x, r.bottom()}}; }
 
 std::vector<DrawPoint> level(double y, const DrawRect& r) { return {{r.x, y}, {r.right(), y}}; }
+
+// A ring that ends in an arrow head: what leads back to where it began. At the left of the label.
+std::vector<std::vector<DrawPoint>> turning_arrow(const DrawRect& r) {
+    constexpr double kRadius = 3.4;
+    constexpr double kHead = 2.6;
+    constexpr int kSteps = 15;
+    constexpr double kFrom = -60.0; // degrees, clockwise from the right
+    constexpr double kTurn = 290.0;
+    const DrawPoint centre{r.x + style::kInnerMark, r.centre().y};
+    std::vector<DrawPoint> ring;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double angle = (kFrom + kTurn * i / kSteps) * std::numbers::pi / 180.0;
+        ring.push_back({centre.x + kRadius * std::cos(angle), centre.y + kRadius * std::sin(angle)});
+    }
+    const DrawPoint tip = ring.back();
+    return {ring, {{tip.x - kHead, tip.y - 0.4}, tip, {tip.x - 0.2, tip.y + kHead}}};
+}
 
 } // namespace
 
@@ -73,6 +95,9 @@ BoxOutline outline_of(const DrawnBox& box) {
                             {r.right() - kDouble, r.bottom() - kDouble},
                             {r.right() - kDouble, r.bottom()}}};
         break;
+    }
+    if (box.inner_cycle) {
+        for (std::vector<DrawPoint>& stroke : turning_arrow(r)) outline.strokes.push_back(std::move(stroke));
     }
     return outline;
 }

@@ -59,6 +59,7 @@ struct DrawnBox {
     double text_size = 9.0; ///< [pt]
     Mark mark = Mark::None;
     bool in_cycle = false;
+    bool inner_cycle = false; ///< a contradiction inside the box, which no line can show: gets a mark
     bool has_finds = false;
     bool mentioned_only = false; ///< named in relations, no sheet of its own
     bool isolated = false;       ///< in no order

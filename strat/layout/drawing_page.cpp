@@ -202,6 +202,12 @@ class PageMaker {
         sample = {};
         sample.box.has_finds = true;
         if (any([](const DrawnBox& b) { return b.has_finds; })) legend_entry(sample, "with finds", pen);
+        sample = {};
+        sample.box.in_cycle = true;
+        sample.box.inner_cycle = true;
+        if (any([](const DrawnBox& b) { return b.inner_cycle; })) {
+            legend_entry(sample, "contradiction that no line shows", pen);
+        }
         for (const Mark mark : {Mark::Added, Mark::Removed, Mark::Changed, Mark::Problem}) {
             sample = {};
             sample.box.mark = mark;

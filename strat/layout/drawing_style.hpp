@@ -12,6 +12,7 @@ inline constexpr double kBoxHeight = 20.0;  ///< of a one-line box
 inline constexpr double kBoxMinWidth = 38.0;
 inline constexpr double kBoxMaxLabel = 150.0; ///< wider labels break
 inline constexpr double kBoxPadding = 8.0;    ///< left and right of the label
+inline constexpr double kInnerMark = 10.0;    ///< room for the mark of a contradiction, left and right of the label
 inline constexpr double kBoxGap = 16.0;       ///< between neighbouring boxes of a level
 inline constexpr double kLineGap = 8.0;       ///< between a line and anything beside it in a level
 inline constexpr double kLeastLineGap = 5.0;  ///< where a line would have to step aside otherwise

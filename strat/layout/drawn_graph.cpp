@@ -13,6 +13,7 @@
 #include "strat/layout/box_label.hpp"
 #include "strat/layout/drawing_style.hpp"
 #include "strat/layout/graph_selection.hpp"
+#include "strat/layout/inner_contradictions.hpp"
 #include "strat/matrix/condensation.hpp"
 
 namespace planum::strat {
@@ -38,6 +39,7 @@ class GraphMaker {
         choose_groups();
         place_previous();
         describe();
+        mark_inner_contradictions(graph_, request_, selection_);
         return std::move(graph_);
     }
 
@@ -379,6 +381,9 @@ class GraphMaker {
             "Harris matrix of {} {} in {} {} with {} immediate {}; later units stand above earlier ones.", units,
             units == 1 ? "unit" : "units", graph_.boxes.size(), graph_.boxes.size() == 1 ? "box" : "boxes",
             graph_.orders.size(), graph_.orders.size() == 1 ? "order" : "orders");
+        const auto in_cycles = std::count_if(graph_.orders.begin(), graph_.orders.end(),
+                                             [](const GraphOrder& o) { return o.line.in_cycle; });
+        if (in_cycles > 0) graph_.description += fmt::format(" {} of the orders stand in cycles.", in_cycles);
     }
 
     const LayoutRequest& request_;

@@ -115,6 +115,7 @@ class SvgWriter {
     static std::string classes(const DrawnBox& box) {
         std::string c = "unit " + std::string(to_word(box.shape));
         if (box.in_cycle) c += " cycle";
+        if (box.inner_cycle) c += " contradiction";
         if (box.has_finds) c += " finds";
         if (box.mentioned_only) c += " mentioned";
         if (box.isolated) c += " isolated";

@@ -49,6 +49,26 @@ TEST_CASE("Two readings differ in what came, what went and what became something
     CHECK(app::compare_readings(after, after).units.empty());
 }
 
+TEST_CASE("A same-as that a reading gave up contradicts nothing in the comparison") {
+    auto builder = test::a_matrix();
+    builder.above("2", "1").above("3", "2").relate("1", model::RelationKind::SameAs, "2");
+    const model::Record before = builder.record();
+    builder.raw().relations.pop_back();
+    const model::Record after = builder.record();
+    for (const bool given_up : {true, false}) {
+        const app::Comparison comparison =
+            given_up ? app::compare_readings(before, after) : app::compare_readings(after, before);
+        const strat::HarrisMatrix matrix = strat::HarrisMatrix::build(comparison.both);
+        strat::DrawingOptions options;
+        options.marks = comparison.units;
+        options.order_marks = comparison.orders;
+        const strat::TableTextMeasure text;
+        const strat::MatrixDrawing drawing =
+            strat::PlanumEngine().draw({comparison.both, matrix, text, options, {}}, Progress::none());
+        CHECK(drawing.boxes.front().inner_cycle == !given_up);
+    }
+}
+
 TEST_CASE("A relation turned round is no cycle in a comparison, but a cycle of the reading stays one") {
     auto builder = test::a_matrix();
     builder.above("1", "2").above("3", "4").above("4", "3");

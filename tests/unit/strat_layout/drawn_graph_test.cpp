@@ -127,6 +127,46 @@ TEST_CASE("Cycles stay in the drawing, all of their orders, marked") {
     CHECK_FALSE(graph.boxes[3].box.in_cycle);
 }
 
+TEST_CASE("A contradiction that no line can show marks its box and says what it is") {
+    using model::RelationKind;
+    auto builder = a_matrix().relate("1", RelationKind::SameAs, "2").above("2", "1").above("3", "2").above("4", "4");
+    const DrawnGraph graph = graph_of(builder.record());
+    REQUIRE(graph.boxes.size() == 3);
+    CHECK(graph.boxes[0].box.inner_cycle);
+    CHECK(graph.boxes[0].box.in_cycle);
+    CHECK(graph.boxes[0].box.title == "1 = 2; contradiction: 2 covers 1");
+    CHECK_FALSE(graph.boxes[1].box.in_cycle);
+    CHECK(graph.boxes[2].box.title == "4; contradiction: 4 covers 4");
+    CHECK_THAT(graph.description, Catch::Contains("1 = 2: 2 covers 1"));
+    // What the outline has more stays clear of the label.
+    const DrawnBox& box = graph.boxes[0].box;
+    CHECK(outline_of(box).strokes.size() > outline_of(graph.boxes[1].box).strokes.size());
+    const double label = box.rect.centre().x - box.line_widths.front() / 2.0;
+    for (const auto& stroke : outline_of(box).strokes) {
+        for (const DrawPoint& p : stroke) CHECK(p.x < label);
+    }
+}
+
+TEST_CASE("A cycle inside a folded box, or through units left out, is not hidden") {
+    auto builder = a_matrix().above("1", "2").above("2", "1").above("3", "4").above("4", "5").above("5", "3");
+    builder.phase("1", "a", 1).phase("2", "a", 1).phase("3", "b", 2).phase("4", "b", 2).phase("5", "c", 3);
+    DrawingOptions folded;
+    folded.fold = Fold::Phases;
+    const DrawnGraph graph = graph_of(builder.record(), folded);
+    REQUIRE(graph.boxes.size() == 3);
+    CHECK(graph.boxes[0].box.inner_cycle);
+    CHECK_THAT(graph.boxes[0].box.title, Catch::EndsWith("; contradiction: 1 covers 2, 2 covers 1"));
+    CHECK(graph.boxes[1].box.inner_cycle); // 3 over 4, and the way back leads over 5
+    CHECK_FALSE(graph.boxes[2].box.inner_cycle);
+    CHECK(graph.boxes[2].box.in_cycle);
+    DrawingOptions part;
+    part.only = {builder.id("4")};
+    const DrawnGraph alone = graph_of(builder.record(), part);
+    REQUIRE(alone.boxes.size() == 1);
+    CHECK(alone.boxes[0].box.in_cycle);
+    CHECK(alone.boxes[0].box.title == "4; in a cycle with units that are not drawn");
+}
+
 TEST_CASE("DOT quotes what would end a string") {
     CHECK(dot_quoted("a\"b\\c") == "\"a\\\"b\\\\c\"");
     const std::string dot = write_dot(graph_of(a_matrix().above("1", "2").record()));
