@@ -145,6 +145,8 @@ void add_matrix_commands(CLI::App& root, Context& context) {
                        "only where the interpretation differs from this one (field: from the record itself)");
     matrix->add_flag("--problems", options->draw.problems_only, "only what problems are about");
     matrix->add_flag("--titles", options->draw.titles, "short definitions below the numbers");
+    matrix->add_option("--link", options->draw.unit_link,
+                       "SVG: where a unit leads to when clicked, {unit} being its number (units.html#{unit})");
     matrix->add_option("--paper", options->paper, "PDF: fit, A4, A3, A2, A1 or A0")
         ->capture_default_str()
         ->check(CLI::IsMember({"fit", "a4", "a3", "a2", "a1", "a0"}, CLI::ignore_case));

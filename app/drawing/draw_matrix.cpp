@@ -157,6 +157,13 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
         options.frames = strat::Frames::Groups;
     }
     options.around_steps = request.around_steps;
+    options.unit_link = request.unit_link;
+    if (!request.unit_link.empty() && request.unit_link.find("{unit}") == std::string::npos &&
+        request.unit_link.find("{uuid}") == std::string::npos) {
+        throw Error(ErrorCode::Usage, fmt::format("link: {} leads all units to one place; put {{unit}} where the "
+                                                  "number goes",
+                                                  request.unit_link));
+    }
     if (!request.around.empty()) options.around = project.record().units[project.unit_named(request.around)].id;
     if (request.titles) options.labels = strat::Labels::NumbersAndTitles;
     if (!request.area.empty()) options.subtitle = "area " + request.area;

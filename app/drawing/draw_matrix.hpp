@@ -19,14 +19,15 @@ struct DrawRequest {
     std::string area;
     std::string around; ///< a unit
     int around_steps = 2;
-    std::vector<model::UnitId> only;     ///< these units; empty: all
-    std::string only_what;               ///< what they are, for the subtitle
-    std::string fold;                    ///< `phases`, `periods` or `groups`
-    bool frames = false;                 ///< around the units of top-level groups
-    std::string bands;                   ///< `phases`, `periods` or `none`; empty: where most units have one
-    std::string since;                   ///< ISO day: only what was added, removed or changed since, marked
-    bool problems_only = false;          ///< units with errors or warnings about their relations
-    bool titles = false;                 ///< short definitions below the numbers
+    std::vector<model::UnitId> only; ///< these units; empty: all
+    std::string only_what;           ///< what they are, for the subtitle
+    std::string fold;                ///< `phases`, `periods` or `groups`
+    bool frames = false;             ///< around the units of top-level groups
+    std::string bands;               ///< `phases`, `periods` or `none`; empty: where most units have one
+    std::string since;               ///< ISO day: only what was added, removed or changed since, marked
+    bool problems_only = false;      ///< units with errors or warnings about their relations
+    bool titles = false;             ///< short definitions below the numbers
+    std::string unit_link; ///< where a unit leads to in SVG, with `{unit}` or `{uuid}` in it (strat::unit_link_of)
     std::filesystem::path layout_worker; ///< program that runs Graphviz in a child; empty: our own
 };
 

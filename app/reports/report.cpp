@@ -91,7 +91,9 @@ void write_report(Project& project, const std::filesystem::path& file, const Rep
     progress.step("writing " + file.filename().string());
     if (ending == ".xml") return write_file_atomically(file, write_xml_report(all->input));
     if (!all->input.record->units.empty()) {
-        all->input.drawing_svg = strat::write_svg(draw_matrix(project, drawing_of(*all), measure, progress));
+        DrawRequest drawing = drawing_of(*all);
+        drawing.unit_link = "#u-{uuid}"; // the unit's card on the same page
+        all->input.drawing_svg = strat::write_svg(draw_matrix(project, drawing, measure, progress));
     }
     write_file_atomically(file, write_html_report(all->input, HtmlFor::Screen));
 }

@@ -15,6 +15,12 @@ namespace planum::strat {
 
 using model::UnitKind;
 
+namespace {
+
+bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+} // namespace
+
 BoxShape shape_of(const model::StratigraphicUnit& unit) {
     switch (unit.kind) {
     case UnitKind::Unknown: return BoxShape::Unknown;
@@ -87,16 +93,29 @@ void size_box(DrawnBox& box, const TextMeasure& measure) {
 
 std::string xml_id(std::string_view prefix, std::string_view name) {
     std::string id(prefix);
-    for (const char c : name) {
-        const bool plain =
-            (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '.';
-        if (plain) {
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        const bool joins = c == '-' && (id.ends_with('-') || i + 1 == name.size());
+        if ((is_letter_or_digit(c) || c == '-' || c == '.') && !joins) {
             id += c;
         } else {
             id += fmt::format("_x{:02x}", static_cast<unsigned char>(c));
         }
     }
     return id;
+}
+
+std::string unit_link_of(std::string_view pattern, std::string_view name, const model::UnitId& id) {
+    std::string encoded;
+    for (const char c : name) {
+        if (is_letter_or_digit(c) || c == '-' || c == '.' || c == '_' || c == '~') {
+            encoded += c;
+        } else {
+            encoded += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+        }
+    }
+    // The id first: a name has no braces left that could be taken for one.
+    return text::replace_all(text::replace_all(pattern, "{uuid}", id.to_string()), "{unit}", encoded);
 }
 
 } // namespace planum::strat

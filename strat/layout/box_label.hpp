@@ -26,7 +26,12 @@ namespace planum::strat {
 void size_box(DrawnBox& box, const TextMeasure& measure);
 
 /// A name as part of an XML id: letters, digits, '-' and '.' stay, all else becomes `_xHH`, so that
-/// different names stay different.
+/// different names stay different. So does a '-' behind another or at the end: no id holds `--`, which joins two
+/// of them to the id of an order.
 [[nodiscard]] std::string xml_id(std::string_view prefix, std::string_view name);
+
+/// A link to a unit: `{unit}` in the pattern stands for its name, `{uuid}` for its id. Bytes of the name that mean
+/// something in an address, or are not ASCII, become `%HH` (RFC 3986).
+[[nodiscard]] std::string unit_link_of(std::string_view pattern, std::string_view name, const model::UnitId& id);
 
 } // namespace planum::strat

@@ -47,13 +47,14 @@ enum class Mark { None, Added, Removed, Changed, Problem };
 
 /// One box: a unit, several merged by same_as, or (folded) a whole phase.
 struct DrawnBox {
-    std::string id; ///< valid as an XML id, unique in the drawing: `unit-1042`
+    std::string id; ///< valid as an XML id, unique in the drawing: `unit-1042`, of its first unit
     std::vector<model::UnitId> units;
-    std::vector<std::string> names;  ///< of the units, as texts call them
-    std::vector<std::string> lines;  ///< the label, line by line, drawn centred
-    std::vector<double> line_widths; ///< of each line [pt], as measured
-    std::string title;               ///< a sentence for tool tips and screen readers
-    std::string link;                ///< empty: none
+    std::vector<std::string> names;    ///< of the units, as texts call them
+    std::vector<std::string> unit_ids; ///< of the units, likewise XML ids; a folded box has one of its own beside them
+    std::vector<std::string> links;    ///< of the units; empty: none
+    std::vector<std::string> lines;    ///< the label, line by line, drawn centred
+    std::vector<double> line_widths;   ///< of each line [pt], as measured
+    std::string title;                 ///< a sentence for tool tips and screen readers
     BoxShape shape = BoxShape::Unknown;
     DrawRect rect;
     double text_size = 9.0; ///< [pt]

@@ -67,6 +67,10 @@ class GraphMaker {
             const model::StratigraphicUnit& unit = record_.units[u];
             box.units.push_back(unit.id);
             names.push_back(index_.name(u));
+            box.unit_ids.push_back(xml_id("unit-", names.back()));
+            if (!request_.options.unit_link.empty()) {
+                box.links.push_back(unit_link_of(request_.options.unit_link, names.back(), unit.id));
+            }
             box.has_finds = box.has_finds || with_finds_.contains(unit.id);
             box.mentioned_only = box.mentioned_only && unit.origin == model::UnitOrigin::Mentioned;
             if (box.shape == BoxShape::Unknown) box.shape = shape_of(unit);
@@ -77,15 +81,12 @@ class GraphMaker {
         if (selection_.folded[b] >= 0) {
             fold_box(out, static_cast<std::size_t>(selection_.folded[b]));
         } else {
-            box.id = xml_id("unit-", out.name);
+            box.id = box.unit_ids.front();
             box.lines = joined_names(names, request_.text);
             box.title = text::join(names, " = ");
             if (!first.title.empty()) box.title += ": " + first.title;
             if (request_.options.labels == Labels::NumbersAndTitles && !first.title.empty()) {
                 for (std::string& line : broken_title(first.title, request_.text)) box.lines.push_back(std::move(line));
-            }
-            if (!request_.options.unit_link.empty()) {
-                box.link = text::replace_all(request_.options.unit_link, "{}", first.number);
             }
         }
         out.at_bottom = box.shape == BoxShape::Natural;
@@ -126,9 +127,17 @@ class GraphMaker {
     // valid all the same.
     void make_ids_unique() {
         std::unordered_map<std::string, int> used;
+        const auto make_unique = [&](std::string& id) {
+            const int before = used[id]++;
+            if (before > 0) id += fmt::format("_n{}", before + 1); // what no name gives
+        };
         for (GraphBox& b : graph_.boxes) {
-            const int before = used[b.box.id]++;
-            if (before > 0) b.box.id += fmt::format("..{}", before + 1);
+            for (std::string& id : b.box.unit_ids) make_unique(id);
+            if (b.box.shape == BoxShape::Folded) {
+                make_unique(b.box.id);
+            } else {
+                b.box.id = b.box.unit_ids.front();
+            }
         }
     }
 

@@ -52,7 +52,7 @@ struct DrawingOptions {
     Labels labels = Labels::Numbers;
     std::vector<UnitMark> marks;
     std::vector<OrderMark> order_marks;
-    std::string unit_link; ///< `units/{}.html`, {} being the number; empty: no links
+    std::string unit_link; ///< where a unit leads to, as `units/{unit}.html`, see unit_link_of(); empty: no links
 };
 
 /// Where a unit stood in an earlier drawing; engines move as little as they can.

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <span>
 
+#include "core/base/text.hpp"
 #include "strat/layout/drawing_colours.hpp"
 #include "strat/layout/drawing_style.hpp"
 
@@ -79,7 +80,7 @@ class SvgWriter {
 
     void bands() {
         if (!d_.bands.empty()) {
-            put("<g id=\"bands\">\n");
+            put("<g id=\"drawing-bands\">\n");
             for (const DrawnBand& band : d_.bands) {
                 put("<rect id=\"{}\" class=\"band\" {} fill=\"{}\" stroke=\"{}\" stroke-width=\"0.5\"/>\n",
                     xml_escaped(band.id), rect(band.rect), hex(band.shaded ? kBandShade : kPaper), hex(kBandEdge));
@@ -87,7 +88,7 @@ class SvgWriter {
             put("</g>\n");
         }
         if (!d_.frames.empty()) {
-            put("<g id=\"frames\">\n");
+            put("<g id=\"drawing-frames\">\n");
             for (const DrawnFrame& frame : d_.frames) {
                 put("<rect id=\"{}\" class=\"frame\" {} rx=\"4\" fill=\"none\" stroke=\"{}\" stroke-width=\"1\"/>\n",
                     xml_escaped(frame.id), rect(frame.rect), hex(kFrameEdge));
@@ -138,7 +139,7 @@ class SvgWriter {
     // Cycles last, so that no other line hides them.
     void lines() {
         // Crisp: strokes that share a segment must not look thicker than others.
-        put("<g id=\"orders\" shape-rendering=\"crispEdges\">\n");
+        put("<g id=\"drawing-orders\" shape-rendering=\"crispEdges\">\n");
         for (const bool red : {false, true}) {
             for (const DrawnLine& l : d_.lines) {
                 if ((l.in_cycle || l.upwards) == red) line(l);
@@ -168,36 +169,64 @@ class SvgWriter {
         }
     }
 
+    // Several units in one box, each with its own name in the label.
+    static bool is_joined(const DrawnBox& box) { return box.shape != BoxShape::Folded && box.names.size() > 1; }
+
     void boxes() {
-        put("<g id=\"units\">\n");
+        put("<g id=\"drawing-units\">\n");
         for (const DrawnBox& box : d_.boxes) {
-            if (!box.link.empty()) {
-                put("<a xlink:href=\"{0}\" href=\"{0}\">", xml_escaped(box.link));
-            }
-            put("<g id=\"{}\" class=\"{}\"><title>{}</title>", xml_escaped(box.id), classes(box),
-                xml_escaped(box.title));
+            const bool one_link = !box.links.empty() && !is_joined(box) && box.shape != BoxShape::Folded;
+            if (one_link) open_link(box.links.front());
+            put("<g id=\"{}\" class=\"{}\"", xml_escaped(box.id), classes(box));
+            if (box.unit_ids.size() > 1) put(" data-units=\"{}\"", xml_escaped(text::join(box.unit_ids, " ")));
+            put("><title>{}</title>", xml_escaped(box.title));
             shape(box);
             label(box);
-            put("</g>{}\n", box.link.empty() ? "" : "</a>");
+            put("</g>{}\n", one_link ? "</a>" : "");
         }
         put("</g>\n");
+    }
+
+    void open_link(const std::string& link) { put("<a xlink:href=\"{0}\" href=\"{0}\">", xml_escaped(link)); }
+
+    // The names in a line of a joined box, each with its link and, but for the first, which is the box's, its id;
+    // `next` is the name to look for.
+    std::string marked_names(const DrawnBox& box, const std::string& line, std::size_t& next) {
+        std::string marked;
+        std::size_t from = 0;
+        while (next < box.names.size()) {
+            const std::size_t at = line.find(box.names[next], from);
+            if (at == std::string::npos) break;
+            marked += xml_escaped(line.substr(from, at - from));
+            const std::string name = xml_escaped(box.names[next]);
+            const std::string id = next == 0 ? "" : fmt::format(" id=\"{}\"", xml_escaped(box.unit_ids[next]));
+            const std::string span = fmt::format("<tspan{} class=\"unit-name\">{}</tspan>", id, name);
+            marked += box.links.empty() ? span
+                                        : fmt::format("<a xlink:href=\"{0}\" href=\"{0}\">{1}</a>",
+                                                      xml_escaped(box.links[next]), span);
+            from = at + box.names[next].size();
+            ++next;
+        }
+        return marked + xml_escaped(line.substr(from));
     }
 
     // textLength: viewers with another font squeeze the label into its box.
     void label(const DrawnBox& box) {
         const double top = box.rect.centre().y - style::kLineHeight * static_cast<double>(box.lines.size() - 1) / 2.0;
+        std::size_t next_name = 0;
         for (std::size_t i = 0; i < box.lines.size() && i < box.line_widths.size(); ++i) {
             const double y = top + style::kLineHeight * static_cast<double>(i) + box.text_size * 0.36;
             put("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\" fill=\"{}\" textLength=\"{}\" "
                 "lengthAdjust=\"spacingAndGlyphs\">{}</text>",
                 number(box.rect.centre().x), number(y), number(box.text_size), hex(style_of(box).text),
-                number(box.line_widths[i]), xml_escaped(box.lines[i]));
+                number(box.line_widths[i]),
+                is_joined(box) ? marked_names(box, box.lines[i], next_name) : xml_escaped(box.lines[i]));
         }
     }
 
     void legend() {
         if (d_.legend.empty()) return;
-        put("<g id=\"legend\">\n");
+        put("<g id=\"drawing-legend\">\n");
         for (const LegendSample& sample : d_.legend) {
             if (sample.kind == LegendSample::Kind::Box) {
                 shape(sample.box);
@@ -211,7 +240,7 @@ class SvgWriter {
     }
 
     void texts() {
-        put("<g id=\"texts\">\n");
+        put("<g id=\"drawing-texts\">\n");
         for (const DrawnText& t : d_.texts) {
             const char* anchor = t.anchor == TextAnchor::Start    ? "start"
                                  : t.anchor == TextAnchor::Middle ? "middle"

@@ -3,6 +3,7 @@
 #include "strat/layout/svg_writer.hpp"
 
 #include <fstream>
+#include <set>
 
 #include "strat/layout/drawn_graph.hpp"
 #include "strat/layout/graphviz_engine.hpp"
@@ -38,7 +39,7 @@ TEST_CASE("SVG of hostile names and titles is valid XML") {
     auto builder = a_matrix().above("<1&\"2'>", " 16/9").above("B. 36", "1297+").unit("\x01\x1f");
     DrawingOptions options;
     options.title = "</title><script>\"&'";
-    options.unit_link = "u/{}.html?a=1&b=\"2\"";
+    options.unit_link = "u/{unit}.html?a=1&b=\"2\"&c={uuid}";
     const test::TemporaryFolder folder;
     const auto file = folder.write("hostile.svg", write_svg(drawn(builder.record(), options)));
     CHECK(std::system(("xmllint --noout " + file.string()).c_str()) == 0);
@@ -48,6 +49,34 @@ TEST_CASE("Different names give different ids") {
     CHECK(xml_id("unit-", "1 2") != xml_id("unit-", "1_2"));
     CHECK(xml_id("unit-", "1 2") == "unit-1_x202");
     CHECK(xml_id("unit-", "1_x202") != "unit-1_x202");
+    // Two ids and `--` between them are the id of an order.
+    CHECK(xml_id("unit-", "a--unit-b") == "unit-a-_x2dunit-b");
+    CHECK(xml_id("unit-", "-1") == "unit-_x2d1");
+    CHECK(xml_id("unit-", "1-") == "unit-1_x2d");
+    CHECK(xml_id("unit-", "1-2") == "unit-1-2");
+}
+
+TEST_CASE("Orders between hostile names have ids of their own") {
+    const MatrixDrawing drawing =
+        drawn(a_matrix().above("a--unit-b", "c").above("a", "b--unit-c").above("a--unit-b--unit-c", "a").record());
+    std::set<std::string> ids;
+    for (const DrawnLine& line : drawing.lines) ids.insert(line.id);
+    CHECK(ids.size() == 3);
+}
+
+TEST_CASE("Each unit in a box of several has its own id and link in SVG") {
+    auto builder = a_matrix().above("1", "2").relate("2", model::RelationKind::SameAs, "16/9 ö");
+    DrawingOptions options;
+    options.unit_link = "units.html#{unit}";
+    const std::string svg = write_svg(drawn(builder.record(), options));
+    CHECK_THAT(svg, Catch::Contains("<a xlink:href=\"units.html#1\" href=\"units.html#1\"><g id=\"unit-1\""));
+    CHECK_THAT(svg, Catch::Contains("<g id=\"unit-2\" class=\"unit unknown\" "
+                                    "data-units=\"unit-2 unit-16_x2f9_x20_xc3_xb6\">"));
+    CHECK_THAT(svg, Catch::Contains("href=\"units.html#16%2F9%20%C3%B6\"><tspan id=\"unit-16_x2f9_x20_xc3_xb6\" "
+                                    "class=\"unit-name\">16/9 ö</tspan></a>"));
+    CHECK_THAT(svg, !Catch::Contains("<a xlink:href=\"units.html#2\" href=\"units.html#2\"><g"));
+    const test::TemporaryFolder folder;
+    CHECK(std::system(("xmllint --noout " + folder.write("joined.svg", svg).string()).c_str()) == 0);
 }
 
 TEST_CASE("The same record gives the same bytes") {
