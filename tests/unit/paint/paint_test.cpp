@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <set>
+#include <string>
 
 #include "core/base/error.hpp"
 #include "paint/drawing_pdf.hpp"
@@ -141,4 +145,38 @@ TEST_CASE("A printed report has pages of words, then the matrix, and repeats its
     CHECK(count(words, "/Type /Page\n") > 1);
     CHECK(count(pdf, "/Type /Page\n") == count(words, "/Type /Page\n") + 1);
     CHECK(pdf == render_report_pdf(report, Progress::none()));
+}
+
+TEST_CASE("A PDF is the same file in every time zone, and all of its objects are found") {
+    const char* const before = std::getenv("TZ");
+    const std::string kept = before == nullptr ? "" : before;
+    const MatrixDrawing drawing = boxes_in_rows(4, 3);
+    PdfOptions options;
+    options.created_at = "2025-06-01T17:04:05";
+    std::set<std::string> files;
+    const test::TemporaryFolder folder;
+    for (const char* zone : {"UTC0", "JST-9", "XXX+9:30"}) {
+        setenv("TZ", zone, 1);
+        tzset();
+        const std::string pdf = render_pdf(drawing, options, Progress::none());
+        CHECK_THAT(pdf, Catch::Contains("/CreationDate (D:20250601170405Z)"));
+        files.insert(pdf);
+        // A reader that had to look for the objects itself would say so.
+        const auto file = folder.write("zone.pdf", pdf);
+        CHECK(std::system(("test -z \"$(pdfinfo " + file.string() + " 2>&1 >/dev/null)\"").c_str()) == 0);
+        std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
+        CHECK(pdf.compare(table, 5, "xref\n") == 0);
+        table = pdf.find('\n', table + 5) + 1;
+        for (std::size_t object = 1; object < 5; ++object) {
+            const std::size_t at = std::stoul(pdf.substr(table + 20 * object, 10));
+            CHECK(pdf.compare(at, 7, std::to_string(object) + " 0 obj") == 0);
+        }
+    }
+    CHECK(files.size() == 1);
+    if (before == nullptr) {
+        unsetenv("TZ");
+    } else {
+        setenv("TZ", kept.c_str(), 1);
+    }
+    tzset();
 }
