@@ -15,6 +15,7 @@
 #include "paint/drawing_pdf.hpp"
 #include "paint/drawing_png.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/missing_signs.hpp"
 #include "strat/layout/svg_writer.hpp"
 
 namespace planum::cli {
@@ -112,6 +113,10 @@ void run_draw(const Context& context, const Options& options) {
                                   *context.progress);
     }
     write_file_atomically(options.output, bytes);
+    if (kind != ".svg") {
+        const std::string remark = paint::missing_signs_remark(options.output, paint::missing_signs(drawing));
+        if (!remark.empty()) context.say(remark);
+    }
     context.say(
         fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));
 }

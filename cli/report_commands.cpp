@@ -13,6 +13,7 @@
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/missing_signs.hpp"
 #include "paint/report_pdf.hpp"
 
 namespace planum::cli {
@@ -42,6 +43,8 @@ void run_report(const Context& context, const Options& options) {
         report.site = project.record().settings.name;
         report.date = project.clock().now().substr(0, 10);
         write_file_atomically(options.output, paint::render_report_pdf(report, *context.progress));
+        const std::string remark = paint::missing_signs_remark(options.output, paint::missing_signs(printed.html));
+        if (!remark.empty()) context.say(remark);
         context.say("wrote " + options.output);
         return;
     }

@@ -9,6 +9,7 @@
 #include "paint/drawing_pdf.hpp"
 #include "paint/drawing_png.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/missing_signs.hpp"
 #include "paint/poster_plan.hpp"
 #include "paint/report_pdf.hpp"
 #include "tests/support/catch.hpp"
@@ -179,4 +180,17 @@ TEST_CASE("A PDF is the same file in every time zone, and all of its objects are
         setenv("TZ", kept.c_str(), 1);
     }
     tzset();
+}
+
+TEST_CASE("Signs that no font of the machine has are named, others are not") {
+    CHECK(missing_signs("US 1042 = Größe, çà, Ω, \t\n1\u200d2\ufe0f").empty());
+    // Private use: nobody's fonts have it.
+    CHECK(missing_signs("a\U00100123b\U00100123") == std::vector<std::string>{"\U00100123"});
+    MatrixDrawing drawing = boxes_in_rows(2, 1);
+    CHECK(missing_signs(drawing).empty());
+    drawing.boxes[1].lines.push_back("\U00100123");
+    CHECK(missing_signs(drawing).size() == 1);
+    CHECK(missing_signs_remark("m.png", {}).empty());
+    CHECK(missing_signs_remark("m.png", missing_signs(drawing)) ==
+          "m.png: no font on this machine has \U00100123; empty squares stand in its place");
 }
