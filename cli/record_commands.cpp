@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -35,6 +36,26 @@ struct Given {
         return set;
     }
 };
+
+// What goes into the record is text without control characters, names stand on one line; what was replaced is said.
+struct Entered {
+    std::string name;
+    app::FieldValues values;
+};
+
+Entered entered(const Context& context, const Given& given, const CLI::App& command) {
+    const auto clean = [&](text::Cleaned cleaned, const std::string& what) {
+        if (cleaned.replaced > 0) {
+            context.say(fmt::format("{}: {} {} no text there and {} replaced: {}", what, cleaned.replaced,
+                                    cleaned.replaced == 1 ? "character is" : "characters are",
+                                    cleaned.replaced == 1 ? "was" : "were", cleaned.text));
+        }
+        return std::move(cleaned.text);
+    };
+    Entered all{clean(text::on_one_line(given.full_name()), "name"), given.values(command)};
+    for (auto& [field, value] : all.values) value = clean(text::clean_utf8(value), field);
+    return all;
+}
 
 CLI::App* add_verb(CLI::App& parent, Context& context, const RecordKind& kind, Given& given, const std::string& verb,
                    const std::string& help, bool with_fields) {
@@ -118,9 +139,9 @@ void add_kind(CLI::App& root, Context& context, const RecordKind& kind) {
     CLI::App* add = add_verb(*group, context, kind, *added, "add", "add one", true);
     add->callback([&context, &kind, added, add] {
         app::Project project = context.open(OpenMode::ReadWrite);
-        warn_of_cycle(context, project, kind, added->full_name());
-        const app::FieldValues values = added->values(*add);
-        const std::string name = kind.add(project, added->full_name(), values);
+        const auto [given, values] = entered(context, *added, *add);
+        warn_of_cycle(context, project, kind, given);
+        const std::string name = kind.add(project, given, values);
         *context.out << name << '\n';
         for (const std::string& remark : kind.remarks(project, name, values)) context.say(remark);
     });
@@ -128,7 +149,7 @@ void add_kind(CLI::App& root, Context& context, const RecordKind& kind) {
     CLI::App* set = add_verb(*group, context, kind, *changed, "set", "change fields of one", true);
     set->callback([&context, &kind, changed, set] {
         app::Project project = context.open(OpenMode::ReadWrite);
-        const app::FieldValues values = changed->values(*set);
+        const app::FieldValues values = entered(context, *changed, *set).values;
         // Before: a region is called by its unit, which may be another one afterwards.
         const auto remarks = kind.remarks(project, changed->full_name(), values);
         kind.set(project, changed->full_name(), values);

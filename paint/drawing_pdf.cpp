@@ -13,11 +13,13 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "paint/drawing_painter.hpp"
 #include "paint/font_measure.hpp"
 #include "paint/pdf_bytes.hpp"
 #include "paint/qt_runtime.hpp"
 #include "strat/layout/drawing_colours.hpp"
+#include "strat/layout/wrapped_text.hpp"
 
 namespace planum::paint {
 
@@ -164,12 +166,14 @@ class PdfMaker {
         std::string left = options_.site;
         if (!drawing_.title.empty() && drawing_.title != options_.site)
             left += (left.empty() ? "" : " · ") + drawing_.title;
-        paint_text(painter, {left, {x0, y - 6.0}, 9.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
         std::string facts = options_.date;
         facts += fmt::format("{}scale {:.0f} %", facts.empty() ? "" : " · ", plan_.scale * 100.0);
         if (!right.empty()) facts += " · " + right;
         facts += fmt::format(" · page {} of {}", page_, pages_);
         paint_text(painter, {facts, {x1, y - 6.0}, 8.0, 0.0, TextAnchor::End, FontWeight::Regular, kFaintInk});
+        const double room = x1 - x0 - measure_.width(facts, 8.0, FontWeight::Regular) - 14.0;
+        left = shortened(text::on_one_line(left).text, room, {9.0, FontWeight::Bold}, measure_);
+        paint_text(painter, {left, {x0, y - 6.0}, 9.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
     }
 
     // The whole drawing small, with the sheets' cutting lines and names.

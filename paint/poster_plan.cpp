@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kPointsPerMillimetre = 72.0 / 25.4;
 constexpr std::size_t kMostSheets = 2000;
+constexpr double kLeastWidth = 290.0; // [pt] of a page made to fit: the title block has its place
 
 struct Size {
     double width = 0.0;
@@ -135,7 +136,8 @@ PosterPlan plan_poster(const strat::MatrixDrawing& drawing, const PosterOptions&
         throw Error(ErrorCode::BadInput, "the scale of a poster must be a positive number");
     }
     if (options.paper == Paper::Fitted) {
-        const Size page{drawing.width + 2.0 * options.margin, drawing.height + 2.0 * options.margin + kTitleBlock};
+        const Size page{std::max(drawing.width, kLeastWidth) + 2.0 * options.margin,
+                        drawing.height + 2.0 * options.margin + kTitleBlock};
         return plan_one_page(drawing, options, page);
     }
     const Size upright = paper_size(options.paper);

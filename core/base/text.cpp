@@ -237,6 +237,27 @@ Cleaned clean_utf8(std::string_view bytes) {
     return result;
 }
 
+Cleaned on_one_line(std::string_view bytes) {
+    Cleaned result = clean_utf8(trim(bytes));
+    std::string line;
+    line.reserve(result.text.size());
+    for (std::size_t i = 0; i < result.text.size();) {
+        const Decoded d = decode(std::string_view(result.text).substr(i));
+        const bool breaks = d.code == U'\t' || d.code == U'\n' || d.code == 0x2028U || d.code == 0x2029U;
+        const bool turns = (d.code >= 0x202AU && d.code <= 0x202EU) || (d.code >= 0x2066U && d.code <= 0x2069U);
+        if (breaks) line += ' ';
+        if (turns) line += kReplacement;
+        if (breaks || turns) {
+            ++result.replaced;
+        } else {
+            line.append(result.text, i, d.length);
+        }
+        i += std::max<std::size_t>(d.length, 1);
+    }
+    result.text = std::move(line);
+    return result;
+}
+
 std::optional<double> parse_double(std::string_view s) noexcept {
     s = trim(s);
     if (s.empty() || s.size() > 60) return std::nullopt;

@@ -49,6 +49,10 @@ struct Cleaned {
 /// U+FFFD and is counted, so that the caller can report it. CR LF becomes LF.
 [[nodiscard]] Cleaned clean_utf8(std::string_view bytes);
 
+/// As clean_utf8, for names and what else stands on one line: tabs and line ends become blanks, signs that turn
+/// the direction of what follows (U+202A…202E, U+2066…2069) become U+FFFD; both are counted. Trimmed.
+[[nodiscard]] Cleaned on_one_line(std::string_view bytes);
+
 /// A whole decimal number with '.' or ',' as point; nothing else around it but blanks.
 [[nodiscard]] std::optional<double> parse_double(std::string_view s) noexcept;
 [[nodiscard]] std::optional<long long> parse_integer(std::string_view s) noexcept;

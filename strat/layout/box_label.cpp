@@ -10,6 +10,7 @@
 
 #include "core/base/text.hpp"
 #include "strat/layout/drawing_style.hpp"
+#include "strat/layout/wrapped_text.hpp"
 
 namespace planum::strat {
 
@@ -46,24 +47,7 @@ bool names_topsoil(const model::StratigraphicUnit& unit) {
 
 std::vector<std::string> broken_title(const std::string& title, const TextMeasure& measure) {
     constexpr std::size_t kMaxLines = 3;
-    std::vector<std::string> lines;
-    std::string line;
-    for (const std::string_view word : text::split(title, ' ')) {
-        if (word.empty()) continue;
-        const std::string longer = line.empty() ? std::string(word) : line + " " + std::string(word);
-        if (line.empty() || measure.width(longer, style::kTextSize, FontWeight::Regular) <= style::kBoxMaxLabel) {
-            line = longer;
-            continue;
-        }
-        lines.push_back(std::move(line));
-        line = word;
-        if (lines.size() == kMaxLines) {
-            lines.back() += " …";
-            return lines;
-        }
-    }
-    if (!line.empty()) lines.push_back(std::move(line));
-    return lines;
+    return wrapped(title, style::kBoxMaxLabel, kMaxLines, {style::kTextSize, FontWeight::Regular}, measure);
 }
 
 std::vector<std::string> joined_names(const std::vector<std::string>& names, const TextMeasure& measure) {

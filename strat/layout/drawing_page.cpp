@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "strat/layout/drawing_style.hpp"
+#include "strat/layout/wrapped_text.hpp"
 
 namespace planum::strat {
 
@@ -15,6 +16,9 @@ namespace {
 
 // What is set in rows below the matrix gets at least this width [pt].
 constexpr double kLeastWidth = 330.0;
+// From one line to the next [pt].
+constexpr double kTitleLine = style::kTitleSize + 4.0;
+constexpr double kSubtitleLine = style::kSubtitleSize + 6.0;
 
 // Grows with what is put into it.
 struct Extent {
@@ -57,6 +61,7 @@ class PageMaker {
             for (const DrawPoint& p : line.points) matrix.add(p);
         }
         for (const DrawnFrame& frame : drawing_.frames) matrix.add(frame.rect);
+        break_title(matrix.empty() ? 0.0 : band_gutter() + matrix.right - matrix.left);
         const double heading = title_height();
         if (!matrix.empty()) {
             for (const DrawnBand& band : drawing_.bands) matrix.add(DrawPoint{matrix.left, band.rect.y});
@@ -80,8 +85,18 @@ class PageMaker {
     }
 
   private:
+    // Into lines no wider than the matrix: a long name of the site widens no page.
+    void break_title(double width) {
+        constexpr std::size_t kMostLines = 3;
+        const double limit = std::max(width, kLeastWidth);
+        title_ = wrapped(graph_.title, limit, kMostLines, {style::kTitleSize, FontWeight::Bold}, text_);
+        subtitle_ = wrapped(graph_.subtitle, limit, kMostLines, {style::kSubtitleSize, FontWeight::Regular}, text_);
+    }
+
     [[nodiscard]] double title_height() const {
-        return style::kTitleSize + (graph_.subtitle.empty() ? 0.0 : style::kSubtitleSize + 6.0) + 20.0;
+        const auto more = [](std::size_t lines, double height) { return static_cast<double>(lines) * height; };
+        return style::kTitleSize + 20.0 + more(std::max<std::size_t>(title_.size(), 1) - 1, kTitleLine) +
+               more(subtitle_.size(), kSubtitleLine);
     }
 
     [[nodiscard]] double width_of(std::string_view s, double size, FontWeight weight = FontWeight::Regular) const {
@@ -154,8 +169,12 @@ class PageMaker {
     }
 
     void widen_for_title() {
-        right_ = std::max(right_, style::kPageMargin + width_of(graph_.title, style::kTitleSize, FontWeight::Bold));
-        right_ = std::max(right_, style::kPageMargin + width_of(graph_.subtitle, style::kSubtitleSize));
+        for (const std::string& line : title_) {
+            right_ = std::max(right_, style::kPageMargin + width_of(line, style::kTitleSize, FontWeight::Bold));
+        }
+        for (const std::string& line : subtitle_) {
+            right_ = std::max(right_, style::kPageMargin + width_of(line, style::kSubtitleSize));
+        }
     }
 
     // Writes one entry and returns its width.
@@ -268,15 +287,22 @@ class PageMaker {
 
     void write_title() {
         double y = style::kPageMargin + style::kTitleSize * 0.8;
-        add_text("title", graph_.title, {style::kPageMargin, y}, style::kTitleSize, FontWeight::Bold);
-        if (graph_.subtitle.empty()) return;
-        y += style::kSubtitleSize + 6.0;
-        add_text("subtitle", graph_.subtitle, {style::kPageMargin, y}, style::kSubtitleSize, FontWeight::Regular);
+        for (const std::string& line : title_) {
+            add_text("title", line, {style::kPageMargin, y}, style::kTitleSize, FontWeight::Bold);
+            y += kTitleLine;
+        }
+        y += kSubtitleLine - kTitleLine;
+        for (const std::string& line : subtitle_) {
+            add_text("subtitle", line, {style::kPageMargin, y}, style::kSubtitleSize, FontWeight::Regular);
+            y += kSubtitleLine;
+        }
     }
 
     MatrixDrawing& drawing_;
     const DrawnGraph& graph_;
     const TextMeasure& text_;
+    std::vector<std::string> title_; // line by line
+    std::vector<std::string> subtitle_;
     double right_ = 0.0; // of everything placed so far [pt]
     double bottom_ = 0.0;
 };

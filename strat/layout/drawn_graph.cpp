@@ -23,6 +23,12 @@ namespace {
 using model::UnitIndex;
 using model::UnitKind;
 
+std::string one_line(const std::string& words) { return text::on_one_line(words).text; }
+
+std::string heading_of(const std::string& number, const std::string& title) {
+    return one_line(title.empty() || title == number ? number : number + " " + title);
+}
+
 class GraphMaker {
   public:
     explicit GraphMaker(const LayoutRequest& request)
@@ -59,17 +65,18 @@ class GraphMaker {
         GraphBox& out = graph_.boxes[b];
         DrawnBox& box = out.box;
         out.units = units_[b];
-        const model::StratigraphicUnit& first = record_.units[out.units.front()];
-        out.name = index_.name(out.units.front());
+        const std::string first_title = one_line(record_.units[out.units.front()].title);
+        out.name = one_line(index_.name(out.units.front()));
         box.mentioned_only = true;
         std::vector<std::string>& names = box.names;
         for (const UnitIndex u : out.units) {
             const model::StratigraphicUnit& unit = record_.units[u];
             box.units.push_back(unit.id);
-            names.push_back(index_.name(u));
-            box.unit_ids.push_back(xml_id("unit-", names.back()));
+            const std::string name = index_.name(u);
+            names.push_back(one_line(name));
+            box.unit_ids.push_back(xml_id("unit-", name));
             if (!request_.options.unit_link.empty()) {
-                box.links.push_back(unit_link_of(request_.options.unit_link, names.back(), unit.id));
+                box.links.push_back(unit_link_of(request_.options.unit_link, name, unit.id));
             }
             box.has_finds = box.has_finds || with_finds_.contains(unit.id);
             box.mentioned_only = box.mentioned_only && unit.origin == model::UnitOrigin::Mentioned;
@@ -84,9 +91,9 @@ class GraphMaker {
             box.id = box.unit_ids.front();
             box.lines = joined_names(names, request_.text);
             box.title = text::join(names, " = ");
-            if (!first.title.empty()) box.title += ": " + first.title;
-            if (request_.options.labels == Labels::NumbersAndTitles && !first.title.empty()) {
-                for (std::string& line : broken_title(first.title, request_.text)) box.lines.push_back(std::move(line));
+            if (!first_title.empty()) box.title += ": " + first_title;
+            if (request_.options.labels == Labels::NumbersAndTitles && !first_title.empty()) {
+                for (std::string& line : broken_title(first_title, request_.text)) box.lines.push_back(std::move(line));
             }
         }
         out.at_bottom = box.shape == BoxShape::Natural;
@@ -112,6 +119,8 @@ class GraphMaker {
             title = record_.groups[key].title;
             break;
         }
+        number = one_line(number);
+        title = one_line(title);
         box.shape = BoxShape::Folded;
         box.mentioned_only = false;
         box.id = xml_id("folded-", number);
@@ -337,8 +346,7 @@ class GraphMaker {
             band_of.emplace(key.position, static_cast<std::int32_t>(graph_.bands.size()));
             const auto at = static_cast<std::size_t>(key.position);
             const std::string& title = bands == Bands::Phases ? record_.phases[at].title : record_.periods[at].title;
-            const bool repeats = title.empty() || title == key.number;
-            graph_.bands.push_back({xml_id("band-", key.number), repeats ? key.number : key.number + " " + title, 0.0});
+            graph_.bands.push_back({xml_id("band-", key.number), heading_of(key.number, title), 0.0});
         }
         for (GraphBox& b : graph_.boxes) {
             const auto band = band_of.find(keys[b.units.front()]);
@@ -356,8 +364,7 @@ class GraphMaker {
             const auto [it, fresh] = used.emplace(key, static_cast<std::int32_t>(graph_.groups.size()));
             if (fresh) {
                 const model::UnitGroup& group = record_.groups[static_cast<std::size_t>(key)];
-                const bool repeats = group.title.empty() || group.title == group.number;
-                const std::string heading = repeats ? group.number : group.number + " " + group.title;
+                const std::string heading = heading_of(group.number, group.title);
                 graph_.groups.push_back({xml_id("group-", group.number), heading,
                                          request_.text.width(heading, style::kSmallText, FontWeight::Regular)});
             }
@@ -382,8 +389,8 @@ class GraphMaker {
     void describe() {
         const DrawingOptions& options = request_.options;
         const std::string& name = record_.settings.name;
-        graph_.title = !options.title.empty() ? options.title : name.empty() ? std::string("Harris matrix") : name;
-        graph_.subtitle = options.subtitle;
+        graph_.title = one_line(!options.title.empty() ? options.title : name.empty() ? "Harris matrix" : name);
+        graph_.subtitle = one_line(options.subtitle);
         std::size_t units = 0;
         for (const GraphBox& b : graph_.boxes) units += b.units.size();
         graph_.description = fmt::format(

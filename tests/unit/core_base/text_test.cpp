@@ -43,6 +43,13 @@ TEST_CASE("Control characters and broken UTF-8 are replaced and counted") {
     CHECK(text::clean_utf8("x\ry").text == "x\ny");
 }
 
+TEST_CASE("Names stand on one line and turn no direction") {
+    const text::Cleaned name = text::on_one_line(" A\u202e12\n3\t4\u2028\x01\r\n");
+    CHECK(name.text == "A\uFFFD12 3 4 \uFFFD");
+    CHECK(name.replaced == 5);
+    CHECK(text::on_one_line("16/9 ö 日").replaced == 0);
+}
+
 TEST_CASE("Overlong forms, surrogates and codes beyond Unicode are not valid UTF-8") {
     CHECK(text::is_valid_utf8("Käse €"));
     CHECK_FALSE(text::is_valid_utf8("\xC0\xAF"));

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/wrapped_text.hpp"
+
+#include "tests/support/catch.hpp"
+#include "tests/support/drawing_laws.hpp"
+#include "tests/support/layout_records.hpp"
+
+using namespace planum;
+using namespace planum::strat;
+using planum::test::a_matrix;
+
+TEST_CASE("Text is broken between words, and what is too much ends in an ellipsis") {
+    const TableTextMeasure measure;
+    const TextLook look{9.0, FontWeight::Regular};
+    const auto fits = [&](const std::string& s) { return measure.width(s, 9.0, FontWeight::Regular) <= 60.0; };
+    CHECK(wrapped("", 60.0, 3, look, measure).empty());
+    CHECK(wrapped("short", 60.0, 3, look, measure) == std::vector<std::string>{"short"});
+    const std::vector<std::string> lines = wrapped("one two three four five six seven eight", 60.0, 3, look, measure);
+    REQUIRE(lines.size() == 3);
+    for (const std::string& line : lines) CHECK(fits(line));
+    CHECK(lines[0] == "one two");
+    CHECK_THAT(lines[2], Catch::EndsWith("…"));
+    const std::string cut = shortened("Größenwahnüberschwemmungsgebiet", 60.0, look, measure);
+    CHECK(fits(cut));
+    CHECK_THAT(cut, Catch::StartsWith("Größen") && Catch::EndsWith("…"));
+    CHECK(shortened("é", 0.0, look, measure) == "…");
+}
+
+TEST_CASE("A long name of the site, or one of two lines, widens no page") {
+    auto builder = a_matrix().above("1", "2");
+    builder.raw().settings.name = "Short";
+    const double narrow = test::drawing_of(builder.record()).width;
+    std::string name;
+    for (int i = 0; i < 40; ++i) name += "Rettungsgrabung ";
+    builder.raw().settings.name = name + "\nand more\u202e";
+    const MatrixDrawing drawing = test::drawing_of(builder.record());
+    CHECK(drawing.width < narrow + 340.0);
+    CHECK(drawing.title.find('\n') == std::string::npos);
+    CHECK(drawing.title.find("\u202e") == std::string::npos);
+    CHECK(std::count_if(drawing.texts.begin(), drawing.texts.end(),
+                        [](const DrawnText& t) { return t.role == "title"; }) == 3);
+    for (const DrawnText& t : drawing.texts) {
+        if (t.role == "title") CHECK(t.at.y < drawing.boxes.front().rect.y);
+    }
+}
+
+TEST_CASE("A line end in a unit's number is drawn as a blank, a turning sign as what cannot be read") {
+    const MatrixDrawing drawing = test::drawing_of(a_matrix().above("1\n2", "A\u202e77").record());
+    CHECK(drawing.boxes.front().lines.front() == "1 2");
+    CHECK(drawing.boxes.back().lines.front() == "A\uFFFD77");
+}
