@@ -2,6 +2,8 @@
 #include "cli/context.hpp"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 
 #include "app/drawing/draw_matrix.hpp"
 #include "app/export/export_record.hpp"
+#include "cli/matrix_options.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
@@ -24,16 +27,6 @@ using nlohmann::ordered_json;
 using store::OpenMode;
 
 namespace {
-
-struct Options {
-    app::DrawRequest draw;
-    std::string output;
-    std::string paper = "fit";
-    std::string paging = "page";
-    std::string format;
-    double dpi = 150.0;
-    bool stats = false;
-};
 
 ordered_json to_json(const strat::MatrixStats& s) {
     return {{"units", s.units},
@@ -52,14 +45,14 @@ ordered_json to_json(const strat::MatrixStats& s) {
             {"isolated", s.isolated}};
 }
 
-void run_stats(const Context& context, const Options& options) {
+void run_stats(const Context& context, const MatrixOptions& options) {
     app::Project project = context.open(OpenMode::ReadOnly);
     const ordered_json stats = to_json(app::matrix_stats(project, options.draw.interpretation));
     if (context.json) return context.print(stats);
     for (const auto& [key, value] : stats.items()) *context.out << fmt::format("{:<20} {}\n", key, value.dump());
 }
 
-paint::PdfOptions pdf_options(const app::Project& project, const Options& options, const std::string& site) {
+paint::PdfOptions pdf_options(const app::Project& project, const MatrixOptions& options, const std::string& site) {
     paint::PdfOptions pdf;
     pdf.site = site;
     pdf.date = project.clock().now().substr(0, 10);
@@ -73,29 +66,36 @@ paint::PdfOptions pdf_options(const app::Project& project, const Options& option
     return pdf;
 }
 
-// What chooses a part of the site is understood by drawings only; a whole site sent off for a part would not be
-// noticed.
-void refuse_part(const app::DrawRequest& draw) {
-    const std::pair<const char*, bool> parts[] = {
-        {"area", !draw.area.empty()},   {"around", !draw.around.empty()},         {"fold", !draw.fold.empty()},
-        {"since", !draw.since.empty()}, {"compare", !draw.compared_with.empty()}, {"problems", draw.problems_only},
-    };
-    for (const auto& [name, is_given] : parts) {
-        if (!is_given) continue;
-        throw Error(ErrorCode::Usage,
-                    fmt::format("matrix: a file for other programs holds the whole site; {} makes a part "
-                                "of a drawing only (.svg, .pdf, .png)",
-                                name));
+// An empty picture would look like a fault.
+void refuse_empty(const strat::MatrixDrawing& drawing, app::Project& project, const app::DrawRequest& draw) {
+    if (!drawing.boxes.empty()) return;
+    if (project.record().units.empty()) {
+        throw Error(ErrorCode::NotFound,
+                    "nothing to draw: the project has no units yet; see planum import and planum unit add");
     }
+    std::vector<std::string> chosen;
+    if (!draw.area.empty()) chosen.push_back("in area " + draw.area);
+    if (!draw.around.empty()) chosen.push_back("around unit " + draw.around);
+    if (draw.problems_only) chosen.emplace_back("that a problem is about");
+    if (!draw.since.empty()) chosen.push_back("that changed since " + draw.since);
+    if (!draw.compared_with.empty()) chosen.emplace_back("that the readings differ in");
+    throw Error(ErrorCode::NotFound, fmt::format("nothing to draw: there is no unit {}", text::join(chosen, " and ")));
 }
 
-void run_draw(const Context& context, const Options& options) {
+std::string drawn_as(MatrixKind kind, const strat::MatrixDrawing& drawing, const paint::PdfOptions& pdf,
+                     const MatrixOptions& options, Progress& progress) {
+    if (kind == MatrixKind::Svg) return strat::write_svg(drawing);
+    if (kind == MatrixKind::Png) return paint::render_png(drawing, {.dpi = options.dpi});
+    return paint::render_pdf(drawing, pdf, progress);
+}
+
+void run_draw(const Context& context, const MatrixOptions& options, MatrixKind kind) {
+    const bool to_stdout = options.output == "-";
+    if (to_stdout && context.json) {
+        throw Error(ErrorCode::Usage, "matrix: standard output holds the file or what --json says, not both");
+    }
     app::Project project = context.open(OpenMode::ReadOnly);
-    const std::string kind = options.format.empty()
-                                 ? text::fold_case(std::filesystem::path(options.output).extension().string())
-                                 : "." + text::fold_case(options.format);
-    if (kind != ".svg" && kind != ".pdf" && kind != ".png") {
-        refuse_part(options.draw);
+    if (kind == MatrixKind::Export) {
         try {
             return write_export(context, project, options.output, {options.format, options.draw.interpretation});
         } catch (Error& e) {
@@ -105,72 +105,50 @@ void run_draw(const Context& context, const Options& options) {
     }
     const paint::FontTextMeasure measure;
     const strat::MatrixDrawing drawing = app::draw_matrix(project, options.draw, measure, *context.progress);
-    std::string bytes;
-    if (kind == ".svg") bytes = strat::write_svg(drawing);
-    if (kind == ".png") bytes = paint::render_png(drawing, {.dpi = options.dpi});
-    if (kind == ".pdf") {
-        bytes = paint::render_pdf(drawing, pdf_options(project, options, project.record().settings.name),
-                                  *context.progress);
+    refuse_empty(drawing, project, options.draw);
+    const paint::PdfOptions pdf = pdf_options(project, options, project.record().settings.name);
+    const std::string bytes = drawn_as(kind, drawing, pdf, options, *context.progress);
+    if (to_stdout) {
+        *context.out << bytes;
+    } else {
+        write_file_atomically(options.output, bytes);
     }
-    write_file_atomically(options.output, bytes);
-    if (kind != ".svg") {
+    if (kind != MatrixKind::Svg) {
         const std::string remark = paint::missing_signs_remark(options.output, paint::missing_signs(drawing));
         if (!remark.empty()) context.say(remark);
     }
-    context.say(
-        fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));
+    if (!to_stdout) {
+        context.say(
+            fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));
+    }
+    if (!context.json) return;
+    std::size_t units = 0;
+    for (const strat::DrawnBox& box : drawing.boxes) units += box.units.size();
+    ordered_json summary = {{"files", ordered_json::array({options.output})},
+                            {"engine", drawing.engine},
+                            {"units", units},
+                            {"boxes", drawing.boxes.size()},
+                            {"lines", drawing.lines.size()},
+                            {"width_pt", drawing.width},
+                            {"height_pt", drawing.height}};
+    if (kind == MatrixKind::Pdf) summary["sheets"] = paint::plan_poster(drawing, pdf.poster).sheets.size();
+    context.print(summary);
 }
 
 } // namespace
 
 void add_matrix_commands(CLI::App& root, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MatrixOptions>();
     CLI::App* matrix = add_command(root, context, "matrix", "draw the Harris matrix, write it as a file, or count it");
-    CLI::Option* output =
-        matrix->add_option("-o,--output", options->output,
-                           "file to write: .svg .pdf .png are drawings; .dot .graphml .lst .hmcx .csv "
-                           ".json are for other programs");
-    matrix->add_option("--format", options->format,
-                       "format of the file, where its ending does not say (svg, hmc-csv, hm, …)");
-    matrix->add_flag("--stats", options->stats, "print counts instead")->excludes(output);
-    matrix->add_option("--engine", options->draw.engine, "layout engine");
-    matrix->add_option("--interpretation", options->draw.interpretation, "this reading instead of the field record");
-    matrix->add_option("--area", options->draw.area, "only this area");
-    matrix->add_option("--around", options->draw.around, "only the neighbourhood of this unit");
-    matrix->add_option("--steps", options->draw.around_steps, "how far around it")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 100'000));
-    matrix->add_option("--fold", options->draw.fold, "phases, periods or groups: one box each");
-    matrix->add_option("--bands", options->draw.bands,
-                       "phases, periods or none; unasked where most units have a phase");
-    matrix->add_flag("--frames", options->draw.frames, "a frame around the units of each group");
-    matrix->add_option("--since", options->draw.since,
-                       "only what was added, removed or changed since this day (YYYY-MM-DD)");
-    matrix->add_option("--compare", options->draw.compared_with,
-                       "only where the interpretation differs from this one (field: from the record itself)");
-    matrix->add_flag("--problems", options->draw.problems_only, "only what problems are about");
-    matrix->add_flag("--titles", options->draw.titles, "short definitions below the numbers");
-    matrix->add_option("--link", options->draw.unit_link,
-                       "SVG: where a unit leads to when clicked, {unit} being its number (units.html#{unit})");
-    matrix->add_option("--paper", options->paper, "PDF: fit, A4, A3, A2, A1 or A0")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"fit", "a4", "a3", "a2", "a1", "a0"}, CLI::ignore_case));
-    matrix->add_option("--paging", options->paging, "PDF: shrink to one page, or a poster of many sheets")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"page", "poster"}));
-    matrix->add_option("--dpi", options->dpi, "PNG: pixels per inch")
-        ->capture_default_str()
-        ->check(CLI::Range(20.0, 1200.0))
-        ->check(
-            [](const std::string& text) {
-                // The range takes what is not a number for one inside it.
-                return text::fold_case(text).find("nan") == std::string::npos ? std::string{} : "no number";
-            },
-            "");
-    matrix->callback([&context, options] {
-        if (options->stats) return run_stats(context, *options);
-        if (options->output.empty()) throw Error(ErrorCode::Usage, "matrix: say -o FILE or --stats");
-        run_draw(context, *options);
+    add_matrix_options(*matrix, *options);
+    matrix->callback([&context, options, matrix] {
+        if (!options->stats && options->output.empty()) {
+            throw Error(ErrorCode::Usage, "matrix: say -o FILE or --stats");
+        }
+        const MatrixKind kind = kind_of(*options);
+        refuse_useless_options(*matrix, *options, kind);
+        if (kind == MatrixKind::Stats) return run_stats(context, *options);
+        run_draw(context, *options, kind);
     });
 }
 

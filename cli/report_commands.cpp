@@ -6,10 +6,15 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <unistd.h>
 
 #include "app/drawing/draw_matrix.hpp"
 #include "app/export/export_record.hpp"
 #include "app/reports/report.hpp"
+#include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
 #include "paint/font_measure.hpp"
@@ -18,6 +23,7 @@
 
 namespace planum::cli {
 
+using nlohmann::ordered_json;
 using store::OpenMode;
 
 namespace {
@@ -57,13 +63,44 @@ void run_export(const Context& context, const Options& options) {
     write_export(context, project, options.output, {options.format, options.interpretation});
 }
 
+// To standard output, by way of a folder of its own: a format may write several files, and says so only then.
+void print_export(const Context& context, app::Project& project, const app::ExportOptions& options) {
+    if (options.format.empty()) {
+        throw Error(ErrorCode::Usage, "-o - is standard output; say --format lst, dot, … with it");
+    }
+    if (context.json) {
+        throw Error(ErrorCode::Usage, "standard output holds the file or what --json says, not both");
+    }
+    std::string folder = (std::filesystem::temp_directory_path() / "planum-XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr) {
+        throw Error(ErrorCode::Io,
+                    "no temporary folder can be made in " + std::filesystem::temp_directory_path().string());
+    }
+    const std::shared_ptr<void> gone(nullptr, [&](void*) {
+        std::error_code none;
+        std::filesystem::remove_all(folder, none);
+    });
+    const app::Exported done = app::export_record(project, std::filesystem::path(folder) / "record", options);
+    if (done.files.size() != 1) {
+        throw Error(ErrorCode::Usage, fmt::format("{} is {} files, which standard output cannot hold; name a file",
+                                                  options.format, done.files.size()));
+    }
+    for (const std::string& sentence : done.lost) context.say("not carried: " + sentence);
+    *context.out << read_file(done.files.front(), std::filesystem::file_size(done.files.front()));
+}
+
 } // namespace
 
 void write_export(const Context& context, app::Project& project, const std::filesystem::path& file,
                   const app::ExportOptions& options) {
+    if (file == "-") return print_export(context, project, options);
     const app::Exported done = app::export_record(project, file, options);
     for (const std::string& sentence : done.lost) context.say("not carried: " + sentence);
     for (const auto& written : done.files) context.say("wrote " + written.string());
+    if (!context.json) return;
+    ordered_json files = ordered_json::array();
+    for (const auto& written : done.files) files.push_back(written.string());
+    context.print({{"files", std::move(files)}, {"not_carried", done.lost}});
 }
 
 void add_report_commands(CLI::App& root, Context& context) {

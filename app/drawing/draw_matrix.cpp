@@ -135,7 +135,12 @@ void keep_changed(Project& project, const DrawRequest& request, model::Record& d
 }
 
 void keep_compared(Project& project, const DrawRequest& request, model::Record& drawn, strat::DrawingOptions& options) {
-    const std::string before_name = request.compared_with == "field" ? std::string() : request.compared_with;
+    const auto& readings = project.record().interpretations;
+    const bool is_reading =
+        std::any_of(readings.begin(), readings.end(), [&](const auto& i) { return i.name == request.compared_with; });
+    // `record` as interpretation diff calls it; `field` is the older word.
+    const bool is_record = !is_reading && (request.compared_with == "record" || request.compared_with == "field");
+    const std::string before_name = is_record ? std::string() : request.compared_with;
     Comparison comparison = compare_readings(interpreted(project.record(), before_name), drawn);
     const std::string now = request.interpretation.empty() ? "the field record" : request.interpretation;
     const std::string before = before_name.empty() ? "the field record" : before_name;
@@ -167,7 +172,9 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     if (!request.around.empty()) options.around = project.record().units[project.unit_named(request.around)].id;
     if (request.titles) options.labels = strat::Labels::NumbersAndTitles;
     if (!request.area.empty()) options.subtitle = "area " + request.area;
-    if (!request.around.empty()) options.subtitle = "around unit " + request.around;
+    if (!request.around.empty()) {
+        options.subtitle += (options.subtitle.empty() ? "" : ", ") + ("around unit " + request.around);
+    }
     options.only = request.only;
     if (!request.only.empty()) options.subtitle = request.only_what;
     if (request.problems_only) keep_problems(project, request, options, progress);

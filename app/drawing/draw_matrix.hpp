@@ -15,7 +15,7 @@ namespace planum::app {
 struct DrawRequest {
     std::string engine; ///< `planum` or `graphviz`; empty: the default
     std::string interpretation;
-    std::string compared_with; ///< another interpretation, `field` for the record itself: only what differs
+    std::string compared_with; ///< another interpretation, `record` for the field record: only what differs
     std::string area;
     std::string around; ///< a unit
     int around_steps = 2;

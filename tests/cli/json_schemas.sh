@@ -31,6 +31,10 @@ holds import import site.gpkg "$here/data/tomorrow.csv" --dry-run
 "$planum" interpretation add -q site.gpkg Ada --adds "3 later 2" >/dev/null
 "$planum" find add -q site.gpkg F1 --unit 2 --z 9.9 >/dev/null
 holds matrix-stats matrix site.gpkg --stats
+holds matrix matrix site.gpkg -o m.svg
+holds matrix matrix site.gpkg -o m.pdf --paper a4 --paging poster
+holds export matrix site.gpkg -o m.dot
+holds export export site.gpkg -o m.csv
 holds check check site.gpkg
 holds info info site.gpkg
 holds history history site.gpkg
