@@ -60,7 +60,9 @@ Entered entered(const Context& context, const Given& given, const CLI::App& comm
 CLI::App* add_verb(CLI::App& parent, Context& context, const RecordKind& kind, Given& given, const std::string& verb,
                    const std::string& help, bool with_fields) {
     CLI::App* command = add_command(parent, context, verb, help);
-    command->add_option("NAME", given.name, std::string(kind.name_form()))->required();
+    CLI::Option* name = command->add_option("NAME", given.name, std::string(kind.name_form()))->required();
+    // Words that make one new name by being put together are a mistake, but for a relation, which is said in words.
+    if (verb == "add" && kind.word() != "relation") name->expected(1);
     if (with_fields) {
         for (const app::FieldInfo& field : kind.fields()) {
             command->add_option("--" + field.name, given.fields[field.name], field.help);

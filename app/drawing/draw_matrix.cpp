@@ -11,6 +11,7 @@
 
 #include "app/checks/daily_check.hpp"
 #include "app/drawing/compare_readings.hpp"
+#include "app/drawing/former_places.hpp"
 #include "core/base/calendar.hpp"
 #include "core/base/error.hpp"
 #include "strat/layout/graphviz_engine.hpp"
@@ -190,8 +191,15 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     if (!request.compared_with.empty()) keep_compared(project, request, drawn, options);
     progress.step("building the matrix");
     const auto matrix = strat::HarrisMatrix::build(drawn);
+    std::vector<strat::PreviousPosition> previous;
+    if (!request.keep_places.empty()) {
+        if (request.engine == "graphviz") {
+            throw Error(ErrorCode::Usage, "keep-places: only the engine planum keeps places");
+        }
+        previous = former_places(request.keep_places, drawn);
+    }
     progress.step("drawing");
-    return engine_of(request)->draw({drawn, matrix, text, options, {}}, progress);
+    return engine_of(request)->draw({drawn, matrix, text, options, previous}, progress);
 }
 
 strat::MatrixStats matrix_stats(Project& project, const std::string& interpretation) {
