@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "strat/layout/averaged_layouts.hpp"
 #include "strat/layout/drawing_style.hpp"
+#include "strat/layout/fan_centring.hpp"
 #include "strat/layout/level_neighbours.hpp"
 #include "strat/layout/network_simplex.hpp"
 #include "strat/matrix/adjacency.hpp"
@@ -21,9 +22,7 @@ constexpr double kHalves = 2.0;
 
 class Placer : public LevelNeighbours {
   public:
-    Placer(const LayeredGraph& graph, const std::vector<NodeExtent>& extents) : LevelNeighbours(graph, extents) {
-        for (const NodeExtent& extent : extents_) groups_ = std::max(groups_, extent.group + 1);
-    }
+    using LevelNeighbours::LevelNeighbours;
 
     // The averaged layout leaves steps that a little room on the level would take out: whole blocks (a box, or a
     // straight run of line nodes) move to the median of their neighbours as far as the levels allow. Each move
@@ -47,8 +46,12 @@ class Placer : public LevelNeighbours {
         shorten(x);
         find_sides(x);
         settle(x);
-        take_out_steps(x);
-        straighten_runs(x);
+        centre_over_fans(*this, x);
+        constexpr int kRounds = 3; // a run that goes makes room for another
+        for (int round = 0; round < kRounds; ++round) {
+            take_out_steps(x);
+            straighten_runs(x);
+        }
         return x;
     }
 
@@ -154,35 +157,6 @@ class Placer : public LevelNeighbours {
         for (std::uint32_t v = 0; v < g_.nodes; ++v) x[v] = static_cast<double>(placed[v]) / kHalves;
     }
 
-    void find_sides(const std::vector<double>& x) {
-        const double infinity = std::numeric_limits<double>::infinity();
-        sides_.assign(static_cast<std::size_t>(groups_), {infinity, -infinity});
-        for (std::uint32_t v = 0; v < g_.nodes; ++v) {
-            if (extents_[v].group < 0) continue;
-            Sides& sides = sides_[static_cast<std::size_t>(extents_[v].group)];
-            sides.left = std::min(sides.left, x[v] - extents_[v].width / 2.0 - kGroupPad);
-            sides.right = std::max(sides.right, x[v] + extents_[v].width / 2.0 + kGroupPad);
-        }
-    }
-
-    // Least x of v beside its left neighbour, or most beside its right one, kept out of or inside its group.
-    [[nodiscard]] double bound(std::uint32_t v, const std::vector<double>& x, bool leftwards) const {
-        const double sign = leftwards ? 1.0 : -1.0;
-        const std::uint32_t n = neighbour(v, leftwards);
-        const std::int32_t own = extents_[v].group;
-        if (own < 0 || sides_.empty()) {
-            if (n == kNone) return -sign * std::numeric_limits<double>::infinity();
-            if (extents_[n].group < 0 || sides_.empty()) return x[n] + sign * separation(n, v);
-            const Sides& sides = sides_[static_cast<std::size_t>(extents_[n].group)];
-            const double room = std::min(extents_[n].gap, extents_[v].gap) + extents_[v].width / 2.0;
-            return leftwards ? sides.right + room : sides.left - room;
-        }
-        if (n != kNone && extents_[n].group == own) return x[n] + sign * separation(n, v);
-        const Sides& sides = sides_[static_cast<std::size_t>(own)];
-        const double inside = extents_[v].width / 2.0 + kGroupPad;
-        return leftwards ? sides.left + inside : sides.right - inside;
-    }
-
     // Long lines first of all straight, into and out of boxes where they are the only ones there, then boxes that have
     // only each other.
     [[nodiscard]] std::int32_t weight_of(std::uint32_t upper, std::uint32_t lower) const {
@@ -276,7 +250,7 @@ class Placer : public LevelNeighbours {
     // Long lines that step aside by a hair's breadth, to keep the full distance from a box, look like a slip of the
     // pen: there the lines above or below the step go on straight, a little nearer to what they pass.
     void take_out_steps(std::vector<double>& x) {
-        constexpr double kHair = 6.0;
+        constexpr double kHair = 14.0;
         relief_ = style::kLineGap - style::kLeastLineGap;
         for (std::size_t l = 1; l < g_.layers.size(); ++l) {
             for (const std::uint32_t v : g_.layers[l]) {
@@ -367,14 +341,6 @@ class Placer : public LevelNeighbours {
         return std::all_of(run.begin(), run.end(),
                            [&](std::uint32_t v) { return to >= bound(v, x, true) && to <= bound(v, x, false); });
     }
-
-    struct Sides {
-        double left = 0.0;
-        double right = 0.0;
-    };
-
-    std::int32_t groups_ = 0;
-    std::vector<Sides> sides_; // of each group; empty before the simplex has placed them
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "strat/layout/coordinate_phase.hpp"
@@ -24,6 +25,7 @@ class LevelNeighbours {
         }
         down_ = sorted_neighbours(false);
         up_ = sorted_neighbours(true);
+        for (const NodeExtent& extent : extents_) groups_ = std::max(groups_, extent.group + 1);
     }
 
   protected:
@@ -61,13 +63,49 @@ class LevelNeighbours {
         return position_[v] + 1 == layer.size() ? kNone : layer[position_[v] + 1];
     }
 
+    void find_sides(const std::vector<double>& x) {
+        const double infinity = std::numeric_limits<double>::infinity();
+        sides_.assign(static_cast<std::size_t>(groups_), {infinity, -infinity});
+        for (std::uint32_t v = 0; v < g_.nodes; ++v) {
+            if (extents_[v].group < 0) continue;
+            Sides& sides = sides_[static_cast<std::size_t>(extents_[v].group)];
+            sides.left = std::min(sides.left, x[v] - extents_[v].width / 2.0 - kGroupPad);
+            sides.right = std::max(sides.right, x[v] + extents_[v].width / 2.0 + kGroupPad);
+        }
+    }
+
+    // Least x of v beside its left neighbour, or most beside its right one, kept out of or inside its group.
+    [[nodiscard]] double bound(std::uint32_t v, const std::vector<double>& x, bool leftwards) const {
+        const double sign = leftwards ? 1.0 : -1.0;
+        const std::uint32_t n = neighbour(v, leftwards);
+        const std::int32_t own = extents_[v].group;
+        if (own < 0 || sides_.empty()) {
+            if (n == kNone) return -sign * std::numeric_limits<double>::infinity();
+            if (extents_[n].group < 0 || sides_.empty()) return x[n] + sign * separation(n, v);
+            const Sides& sides = sides_[static_cast<std::size_t>(extents_[n].group)];
+            const double room = std::min(extents_[n].gap, extents_[v].gap) + extents_[v].width / 2.0;
+            return leftwards ? sides.right + room : sides.left - room;
+        }
+        if (n != kNone && extents_[n].group == own) return x[n] + sign * separation(n, v);
+        const Sides& sides = sides_[static_cast<std::size_t>(own)];
+        const double inside = extents_[v].width / 2.0 + kGroupPad;
+        return leftwards ? sides.left + inside : sides.right - inside;
+    }
+
+    struct Sides {
+        double left = 0.0;
+        double right = 0.0;
+    };
+
     const LayeredGraph& g_;
     const std::vector<NodeExtent>& extents_;
     std::vector<std::uint32_t> position_; // by node, within its level
     std::vector<std::uint32_t> layer_;
     Adjacency up_; // left to right
     Adjacency down_;
-    double relief_ = 0.0; // by how much lines may stand nearer than their gap [pt]
+    std::int32_t groups_ = 0;
+    std::vector<Sides> sides_; // of each group; empty before the simplex has placed them
+    double relief_ = 0.0;      // by how much lines may stand nearer than their gap [pt]
 };
 
 } // namespace planum::strat

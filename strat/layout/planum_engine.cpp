@@ -142,10 +142,20 @@ class Assembler {
         std::sort(ends_.begin(), ends_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     }
 
-    [[nodiscard]] const EndPlace& end_at(const EndKey& key) const {
-        return std::lower_bound(ends_.begin(), ends_.end(), key,
-                                [](const auto& a, const EndKey& b) { return a.first < b; })
-            ->second;
+    // A node has several ends of one net where a wire was split into verticals: then it is the one that goes to
+    // `other`.
+    [[nodiscard]] const EndPlace& end_at(const EndKey& key, std::uint32_t other) const {
+        auto at = std::lower_bound(ends_.begin(), ends_.end(), key,
+                                   [](const auto& a, const EndKey& b) { return a.first < b; });
+        while (std::next(at) != ends_.end() && std::next(at)->first == key && !joins(at->second, other)) ++at;
+        return at->second;
+    }
+
+    [[nodiscard]] bool joins(const EndPlace& place, std::uint32_t node) const {
+        const ChannelWires::ChannelWire& wire = channels_[place.channel].wires[place.wire];
+        const auto is_node = [&](const ChannelWires::End& e) { return e.node == node; };
+        return std::any_of(wire.tops.begin(), wire.tops.end(), is_node) ||
+               std::any_of(wire.bottoms.begin(), wire.bottoms.end(), is_node);
     }
 
     // Tracks stand in the middle of the channel, or of what a band's edge leaves of it.
@@ -178,17 +188,17 @@ class Assembler {
         const DrawRect& later = drawing_.boxes[line.later].rect;
         const DrawRect& earlier = drawing_.boxes[line.earlier].rect;
         const std::size_t last = path.nodes.size() - 1;
-        points.push_back({end_at({path.nodes.front(), path.net, true}).x, later.bottom()});
+        points.push_back({end_at({path.nodes.front(), path.net, true}, path.nodes[1]).x, later.bottom()});
         for (std::size_t k = 0; k < last; ++k) {
             // Out of a box a line always goes from below it, into one from above it, whichever way it runs.
             const bool rises = path.upwards && k > 0;
             const bool from_top = !rises;
             const bool to_top = path.upwards && k + 1 < last;
-            const EndPlace& from = end_at({path.nodes[k], path.net, from_top});
-            const EndPlace& to = end_at({path.nodes[k + 1], path.net, to_top});
+            const EndPlace& from = end_at({path.nodes[k], path.net, from_top}, path.nodes[k + 1]);
+            const EndPlace& to = end_at({path.nodes[k + 1], path.net, to_top}, path.nodes[k]);
             cross(points, from, to, from_top, to_top);
         }
-        points.push_back({end_at({path.nodes.back(), path.net, false}).x, earlier.y});
+        points.push_back({end_at({path.nodes.back(), path.net, false}, path.nodes[last - 1]).x, earlier.y});
         return without_needless(points);
     }
 

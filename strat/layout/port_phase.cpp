@@ -119,20 +119,96 @@ class PortPlacer {
         : m_(matrix), graph_(graph), channels_(channels) {}
 
     void place() {
-        for (ChannelWires& channel : channels_) {
-            for (ChannelWire& wire : channel.wires) {
-                for (End& end : wire.tops) end.x = m_.nodes[end.node].x;
-                for (End& end : wire.bottoms) end.x = m_.nodes[end.node].x;
-            }
-        }
-        for (ChannelWires& channel : channels_) {
-            place_side(channel, true);
-            place_side(channel, false);
-            straighten(channel);
-        }
+        for (ChannelWires& channel : channels_) split_what_runs_straight(channel);
     }
 
   private:
+    void place_channel(ChannelWires& channel) const {
+        for (ChannelWire& wire : channel.wires) {
+            for (End& end : wire.tops) end.x = m_.nodes[end.node].x;
+            for (End& end : wire.bottoms) end.x = m_.nodes[end.node].x;
+        }
+        place_side(channel, true);
+        place_side(channel, false);
+        straighten(channel);
+    }
+
+    // A bar is needless where a box can reach everything the wire joins it to by straight verticals of their own. What
+    // else leaves the same boxes may stand in the way, so it is tried, and joined again where a step came out.
+    void split_what_runs_straight(ChannelWires& channel) const {
+        const std::vector<ChannelWire> whole = channel.wires;
+        std::vector<bool> split(whole.size(), false);
+        for (std::size_t i = 0; i < whole.size(); ++i) split[i] = faces_all(whole[i]);
+        for (bool failed = true; failed;) {
+            std::vector<std::size_t> part_of;
+            channel.wires.clear();
+            for (std::size_t i = 0; i < whole.size(); ++i) {
+                if (split[i]) {
+                    for (ChannelWire& part : parts_of(whole[i])) channel.wires.push_back(std::move(part));
+                } else {
+                    channel.wires.push_back(whole[i]);
+                }
+                part_of.resize(channel.wires.size(), i);
+            }
+            place_channel(channel);
+            failed = false;
+            for (std::size_t k = 0; k < channel.wires.size(); ++k) {
+                const ChannelWire& part = channel.wires[k];
+                if (!split[part_of[k]] || part.tops.front().x == part.bottoms.front().x) continue;
+                split[part_of[k]] = false;
+                failed = true;
+            }
+            failed = rejoin_crowded(channel, part_of, split) || failed;
+        }
+    }
+
+    [[nodiscard]] static std::vector<ChannelWire> parts_of(const ChannelWire& wire) {
+        std::vector<ChannelWire> parts;
+        for (const End& top : wire.tops) {
+            for (const End& bottom : wire.bottoms) parts.push_back({wire.net, {top}, {bottom}});
+        }
+        return parts;
+    }
+
+    [[nodiscard]] bool faces_all(const ChannelWire& wire) const {
+        const bool star =
+            (wire.tops.size() == 1 && wire.bottoms.size() > 1) || (wire.bottoms.size() == 1 && wire.tops.size() > 1);
+        if (!star) return false;
+        const bool below = wire.tops.size() == 1;
+        const std::uint32_t box = (below ? wire.tops : wire.bottoms).front().node;
+        if (is_line(box)) return false;
+        const std::vector<End>& others = below ? wire.bottoms : wire.tops;
+        return std::all_of(others.begin(), others.end(), [&](const End& other) {
+            const double both = reach(box) + (is_line(other.node) ? 0.0 : reach(other.node));
+            return std::abs(m_.nodes[other.node].x - m_.nodes[box].x) <= both;
+        });
+    }
+
+    // The verticals of a side must keep their gap.
+    bool rejoin_crowded(const ChannelWires& channel, const std::vector<std::size_t>& part_of,
+                        std::vector<bool>& split) const {
+        std::map<std::pair<bool, std::uint32_t>, std::vector<double>> sides;
+        for (const ChannelWire& wire : channel.wires) {
+            for (const End& end : wire.tops) sides[{true, end.node}].push_back(end.x);
+            for (const End& end : wire.bottoms) sides[{false, end.node}].push_back(end.x);
+        }
+        for (auto& [side, x] : sides) std::sort(x.begin(), x.end());
+        const auto crowded = [&](bool top, std::uint32_t node) {
+            const std::vector<double>& x = sides.at({top, node});
+            return std::adjacent_find(x.begin(), x.end(), [](double a, double b) { return b - a < style::kPortGap; }) !=
+                   x.end();
+        };
+        bool any = false;
+        for (std::size_t k = 0; k < channel.wires.size(); ++k) {
+            if (!split[part_of[k]]) continue;
+            const ChannelWire& part = channel.wires[k];
+            if (!crowded(true, part.tops.front().node) && !crowded(false, part.bottoms.front().node)) continue;
+            split[part_of[k]] = false;
+            any = true;
+        }
+        return any;
+    }
+
     [[nodiscard]] bool is_line(std::uint32_t node) const { return m_.nodes[node].box == LayeredMatrix::kNoBox; }
 
     [[nodiscard]] double reach(std::uint32_t node) const {
@@ -141,21 +217,27 @@ class PortPlacer {
     }
 
     // All ports at the lower (tops) or upper sides of the boxes along a channel.
-    void place_side(ChannelWires& channel, bool tops) {
+    void place_side(ChannelWires& channel, bool tops) const {
+        std::map<std::uint32_t, int> ends;
+        for (const ChannelWire& wire : channel.wires) {
+            for (const End& end : tops ? wire.tops : wire.bottoms) ++ends[end.node];
+        }
         std::map<std::uint32_t, std::vector<Port>> by_box;
         for (ChannelWire& wire : channel.wires) {
             std::vector<End>& own = tops ? wire.tops : wire.bottoms;
             const std::vector<End>& far = tops ? wire.bottoms : wire.tops;
             for (End& end : own) {
                 if (is_line(end.node)) continue;
-                by_box[end.node].push_back(make_port(end, own, far, tops));
+                const bool free = tops && (ends.at(end.node) == 1 || (own.size() == 1 && far.size() == 1));
+                by_box[end.node].push_back(make_port(end, own, far, free));
             }
         }
         for (auto& [node, ports] : by_box) spread(node, ports);
     }
 
-    // Upper sides are placed when the ends above have their places; before that, boxes are aimed at in the middle.
-    Port make_port(End& end, const std::vector<End>& own, const std::vector<End>& far, bool top) const {
+    // Upper sides are placed when the ends above have their places; before that, boxes are aimed at in the middle, or
+    // where both meet half the way if the end is `free` to.
+    Port make_port(End& end, const std::vector<End>& own, const std::vector<End>& far, bool free) const {
         const double centre = m_.nodes[end.node].x;
         Port port{&end, centre, 0.0, 0.0};
         const std::vector<End>& aims = far.empty() ? own : far;
@@ -174,9 +256,10 @@ class PortPlacer {
         const bool only = far.size() == 1 && own.size() == 1;
         double least = reach(end.node);
         for (const End& other : far) {
-            const bool halfway = only && top && !is_line(other.node); // both boxes meet half the way
+            const bool halfway = free && !is_line(other.node); // both boxes meet half the way
             const double place = halfway ? (centre + other.x) / 2.0 : other.x;
             if (only) port.wanted = place;
+            if (halfway && std::abs(place - other.x) > reach(other.node)) continue;
             if (std::abs(place - centre) > least) continue;
             least = std::abs(place - centre);
             port.wanted = place;
@@ -267,7 +350,17 @@ class PortPlacer {
                     }
                 }
             }
+            for (End& top : wire.tops) {
+                if (at_top[top.node] == 1) centre_stem(top, wire);
+            }
         }
+    }
+
+    // A stem that went half the way towards a box for nothing, since other lines enter that box there, comes back.
+    void centre_stem(End& stem, const ChannelWire& wire) const {
+        const bool straight = std::any_of(wire.bottoms.begin(), wire.bottoms.end(),
+                                          [&](const End& bottom) { return bottom.x == stem.x; });
+        if (!straight) stem.x = m_.nodes[stem.node].x;
     }
 
     [[nodiscard]] bool reaches(std::uint32_t node, double x) const {

@@ -45,6 +45,33 @@ TEST_CASE("No line between two boxes steps aside by a hair") {
     CHECK(steps == 0);
 }
 
+TEST_CASE("A box stands over the middle of two below it, and both lines run straight") {
+    // 2 above 3 and 4, 5 below both: a draughtsman draws a lozenge, whatever stands above and below it.
+    const model::Record record = a_matrix()
+                                     .above("1", "2")
+                                     .above("2", "3")
+                                     .above("2", "4")
+                                     .above("3", "5")
+                                     .above("4", "5")
+                                     .above("5", "6")
+                                     .record();
+    const MatrixDrawing drawing = drawing_of(record);
+    const double middle = (box_named(drawing, "3").rect.centre().x + box_named(drawing, "4").rect.centre().x) / 2.0;
+    for (const char* name : {"1", "2", "5", "6"}) CHECK(box_named(drawing, name).rect.centre().x == middle);
+    for (const DrawnLine& line : drawing.lines) CHECK(line.points.size() == 2);
+    CHECK(broken_law(record, drawing).empty());
+}
+
+TEST_CASE("A chain that runs straight on is not pulled aside to what branches off it") {
+    // 4 branches off 2, and a long line from 1 ends in 4, too.
+    const model::Record record =
+        a_matrix().above("1", "2").above("2", "3").above("3", "5").above("2", "4").above("5", "6").record();
+    const MatrixDrawing drawing = drawing_of(record);
+    const double x = box_named(drawing, "3").rect.centre().x;
+    for (const char* name : {"5", "6"}) CHECK(box_named(drawing, name).rect.centre().x == x);
+    CHECK(box_named(drawing, "1").rect.centre().x == box_named(drawing, "2").rect.centre().x);
+}
+
 TEST_CASE("The letter H does not state an order that nobody recorded") {
     // 1 is above 3 and 4, 2 only above 4: a common bar would put 2 above 3.
     const model::Record record = a_matrix().above("1", "3").above("1", "4").above("2", "4").record();
