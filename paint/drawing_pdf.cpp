@@ -78,6 +78,9 @@ class PdfMaker {
   private:
     static constexpr double kIndexText = 8.0;
     static constexpr double kIndexLine = 11.0;
+    static constexpr double kHeading = 24.0;
+    static constexpr double kIndexGap = 18.0; // between map and index on one page
+    static constexpr Colour kSheetInk = 0x1f5fa8;
 
     void next_page(QPdfWriter& writer) {
         if (page_ > 0) writer.newPage();
@@ -176,38 +179,57 @@ class PdfMaker {
         paint_text(painter, {left, {x0, y - 6.0}, 9.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
     }
 
-    // The whole drawing small, with the sheets' cutting lines and names.
+    // The whole drawing small and pale, with the sheets' cutting lines and names; below it the index where it is short.
     void paint_map(QPainter& painter) {
         const DrawRect& c = plan_.content;
-        paint_text(painter, {"Sheets", {c.x, c.y + 12.0}, 13.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
-        const double room = c.height - 24.0;
+        paint_heading(painter, "Sheets", c.y);
+        const double room = c.height - kHeading - (index_is_beside_map() ? index_height() : 0.0);
         const double scale = std::min({c.width / drawing_.width, room / drawing_.height, 1.0});
         painter.save();
-        painter.translate(c.x, c.y + 24.0);
+        painter.translate(c.x, c.y + kHeading);
         painter.scale(scale, scale);
         painter.setClipRect(QRectF(0.0, 0.0, drawing_.width, drawing_.height));
         paint_drawing(painter, drawing_);
         painter.restore();
+        painter.fillRect(QRectF(c.x, c.y + kHeading, drawing_.width * scale, drawing_.height * scale),
+                         QColor(255, 255, 255, 120));
         const double overlap = options_.poster.overlap / plan_.scale;
         for (const Sheet& sheet : plan_.sheets) {
             const double left = sheet.column > 0 ? sheet.part.x + overlap / 2.0 : 0.0;
             const double top = sheet.row > 0 ? sheet.part.y + overlap / 2.0 : 0.0;
             const double right = sheet.column + 1 < plan_.columns ? sheet.part.right() - overlap / 2.0 : drawing_.width;
             const double bottom = sheet.row + 1 < plan_.rows ? sheet.part.bottom() - overlap / 2.0 : drawing_.height;
-            const QRectF tile(c.x + left * scale, c.y + 24.0 + top * scale, (right - left) * scale,
+            const QRectF tile(c.x + left * scale, c.y + kHeading + top * scale, (right - left) * scale,
                               (bottom - top) * scale);
-            painter.setBrush(Qt::NoBrush);
-            painter.setPen(QPen(QColor::fromRgb(0x1f5fa8), 0.7));
-            painter.drawRect(tile);
-            paint_text(painter, {sheet.name,
-                                 {tile.center().x(), tile.center().y() + 5.0},
-                                 14.0,
-                                 0.0,
-                                 TextAnchor::Middle,
-                                 FontWeight::Bold,
-                                 0x1f5fa8});
+            paint_tile(painter, tile, sheet.name);
         }
-        paint_title_block(painter, "map of the sheets");
+        if (index_is_beside_map()) paint_entries(painter, 0, index_.size(), c.bottom() - index_height() + kIndexGap);
+        paint_title_block(painter, index_is_beside_map() ? "map of the sheets, index" : "map of the sheets");
+    }
+
+    // The name on a plate of its own, or what stands below it would run into it.
+    void paint_tile(QPainter& painter, const QRectF& tile, const std::string& name) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor::fromRgb(kSheetInk), 0.7));
+        painter.drawRect(tile);
+        const double size = std::clamp(std::min(tile.width() / 3.5, tile.height() / 2.0), 4.0, 14.0);
+        const double width = measure_.width(name, size, FontWeight::Bold) + size * 0.8;
+        const QRectF plate(tile.center().x() - width / 2.0, tile.center().y() - size * 0.75, width, size * 1.5);
+        painter.setBrush(QColor::fromRgb(kPaper));
+        painter.setPen(QPen(QColor::fromRgb(kSheetInk), 0.5));
+        painter.drawRoundedRect(plate, size * 0.3, size * 0.3);
+        paint_text(painter, {name,
+                             {tile.center().x(), tile.center().y() + size * 0.36},
+                             size,
+                             0.0,
+                             TextAnchor::Middle,
+                             FontWeight::Bold,
+                             kSheetInk});
+    }
+
+    void paint_heading(QPainter& painter, const std::string& words, double top) {
+        paint_text(painter,
+                   {words, {plan_.content.x, top + 12.0}, 13.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
     }
 
     [[nodiscard]] std::size_t index_columns() const {
@@ -215,37 +237,50 @@ class PdfMaker {
     }
 
     [[nodiscard]] std::size_t index_rows() const {
-        return std::max<std::size_t>(1, static_cast<std::size_t>((plan_.content.height - 30.0) / kIndexLine));
+        return std::max<std::size_t>(1, static_cast<std::size_t>((plan_.content.height - kHeading - 6.0) / kIndexLine));
     }
 
+    // Height of the whole index with its heading and the gap above it.
+    [[nodiscard]] double index_height() const {
+        const std::size_t rows = (index_.size() + index_columns() - 1) / index_columns();
+        return kIndexGap + kHeading + 6.0 + static_cast<double>(rows) * kIndexLine;
+    }
+
+    // As long as half of the sheet is left for the map: a page with three rows of names on it is a waste of paper.
+    [[nodiscard]] bool index_is_beside_map() const { return index_height() <= plan_.content.height / 2.0; }
+
     [[nodiscard]] std::size_t index_pages() const {
+        if (index_is_beside_map()) return 0;
         const std::size_t per_page = index_columns() * index_rows();
         return (index_.size() + per_page - 1) / per_page;
     }
 
+    // Pages as full as one another, or the last would be nearly empty.
     void paint_index(QPainter& painter, QPdfWriter& writer) {
-        const DrawRect& c = plan_.content;
-        const std::size_t per_page = index_columns() * index_rows();
-        for (std::size_t first = 0; first < index_.size(); first += per_page) {
+        const std::size_t pages = index_pages();
+        for (std::size_t page = 0; page < pages; ++page) {
             next_page(writer);
-            paint_text(painter,
-                       {"Unit and sheet", {c.x, c.y + 12.0}, 13.0, 0.0, TextAnchor::Start, FontWeight::Bold, kInk});
-            for (std::size_t i = first; i < std::min(index_.size(), first + per_page); ++i) {
-                const std::size_t column = (i - first) / index_rows();
-                const std::size_t row = (i - first) % index_rows();
-                const double x = c.x + static_cast<double>(column) * widest_entry_;
-                const double y = c.y + 30.0 + static_cast<double>(row) * kIndexLine;
-                paint_text(painter,
-                           {index_[i].unit, {x, y}, kIndexText, 0.0, TextAnchor::Start, FontWeight::Regular, kInk});
-                paint_text(painter, {index_[i].sheet,
-                                     {x + widest_entry_ - 18.0, y},
-                                     kIndexText,
-                                     0.0,
-                                     TextAnchor::End,
-                                     FontWeight::Bold,
-                                     kInk});
-            }
+            paint_entries(painter, index_.size() * page / pages, index_.size() * (page + 1) / pages, plan_.content.y);
             paint_title_block(painter, "index");
+        }
+    }
+
+    // In columns of one height, downwards.
+    void paint_entries(QPainter& painter, std::size_t first, std::size_t end, double top) {
+        paint_heading(painter, "Unit and sheet", top);
+        const std::size_t rows = (end - first + index_columns() - 1) / index_columns();
+        for (std::size_t i = first; i < end; ++i) {
+            const double x = plan_.content.x + static_cast<double>((i - first) / rows) * widest_entry_;
+            const double y = top + kHeading + 6.0 + static_cast<double>((i - first) % rows) * kIndexLine;
+            paint_text(painter,
+                       {index_[i].unit, {x, y}, kIndexText, 0.0, TextAnchor::Start, FontWeight::Regular, kInk});
+            paint_text(painter, {index_[i].sheet,
+                                 {x + widest_entry_ - 18.0, y},
+                                 kIndexText,
+                                 0.0,
+                                 TextAnchor::End,
+                                 FontWeight::Bold,
+                                 kInk});
         }
     }
 

@@ -133,6 +133,15 @@ TEST_CASE("PDF embeds its font, has a page for each sheet, the map and the index
     CHECK(pdf == render_pdf(drawing, options, Progress::none()));
 }
 
+TEST_CASE("A short index stands on the page of the map") {
+    const MatrixDrawing drawing = boxes_in_rows(12, 5);
+    PdfOptions options;
+    options.poster.paper = Paper::A4;
+    options.poster.paging = Paging::Poster;
+    const std::size_t sheets = plan_poster(drawing, options.poster).sheets.size();
+    CHECK(count(render_pdf(drawing, options, Progress::none()), "/Type /Page\n") == sheets + 1);
+}
+
 TEST_CASE("A printed report has pages of words, then the matrix, and repeats itself") {
     const MatrixDrawing drawing = boxes_in_rows(3, 4);
     ReportPdf report;
