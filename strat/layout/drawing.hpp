@@ -81,6 +81,7 @@ struct DrawnLine {
     bool uncertain = false; ///< only uncertain relations say so: dashed
     bool through = false;   ///< holds by way of units that are not drawn: dotted
     bool upwards = false;   ///< the later box stands below: gets an arrow head
+    DrawPoint arrow;        ///< middle of that head, see place_arrows(); without meaning on other lines
     model::EvidenceVerdict verdict =
         model::EvidenceVerdict::None; ///< other than None: drawn as that says, see show_evidence()
 };

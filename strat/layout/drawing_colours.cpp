@@ -1,11 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "strat/layout/drawing_colours.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <compare>
+#include <vector>
 
 namespace planum::strat {
 
 namespace {
+
+// All bars of a drawing, sorted by height.
+class Bars {
+  public:
+    explicit Bars(const MatrixDrawing& drawing) {
+        for (const DrawnLine& line : drawing.lines) {
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const auto [left, right] = std::minmax(line.points[i - 1].x, line.points[i].x);
+                if (line.points[i - 1].y == line.points[i].y) bars_.push_back({line.points[i].y, left, right});
+            }
+        }
+        std::sort(bars_.begin(), bars_.end());
+    }
+
+    [[nodiscard]] bool cross_near(const DrawPoint& at, double reach) const {
+        const auto first =
+            std::partition_point(bars_.begin(), bars_.end(), [&](const Bar& bar) { return bar.y <= at.y - reach; });
+        const auto last =
+            std::partition_point(first, bars_.end(), [&](const Bar& bar) { return bar.y < at.y + reach; });
+        return std::any_of(first, last, [&](const Bar& bar) { return bar.left < at.x && bar.right > at.x; });
+    }
+
+  private:
+    struct Bar {
+        double y;
+        double left;
+        double right;
+
+        friend auto operator<=>(const Bar&, const Bar&) = default;
+    };
+
+    std::vector<Bar> bars_;
+};
 
 Colour fill_of(BoxShape shape) noexcept {
     switch (shape) {
@@ -93,21 +129,41 @@ std::vector<DrawPoint> finds_mark(const DrawRect& box) {
     return {{box.right() - kSize, box.y}, {box.right(), box.y}, {box.right(), box.y + kSize}};
 }
 
+void place_arrows(MatrixDrawing& drawing) {
+    const auto upwards = [](const DrawnLine& line) { return line.upwards; };
+    if (std::none_of(drawing.lines.begin(), drawing.lines.end(), upwards)) return;
+    const Bars bars(drawing);
+    for (DrawnLine& line : drawing.lines) {
+        if (!line.upwards) continue;
+        double longest = 0.0;
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            const DrawPoint& a = line.points[i - 1];
+            const DrawPoint& b = line.points[i];
+            const double up = a.y - b.y;
+            if (up <= longest || std::abs(a.x - b.x) > up) continue;
+            longest = up;
+            line.arrow = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
+        }
+        if (longest <= 0.0) continue;
+        // Away from bars that cross, as near to the middle as can be: a head on a crossing reads as one on the bar.
+        constexpr double kClear = 6.0;
+        constexpr double kStep = 2.0;
+        const double middle = line.arrow.y;
+        for (double away = 0.0; away < longest / 2.0 - kClear; away += kStep) {
+            const bool above = bars.cross_near({line.arrow.x, middle - away}, kClear);
+            const bool below = bars.cross_near({line.arrow.x, middle + away}, kClear);
+            if (above && below) continue;
+            line.arrow.y = above ? middle + away : middle - away;
+            break;
+        }
+    }
+}
+
 std::vector<DrawPoint> arrow_head(const DrawnLine& line) {
     if (!line.upwards) return {};
-    double longest = 0.0;
-    DrawPoint middle;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-        const DrawPoint& a = line.points[i - 1];
-        const DrawPoint& b = line.points[i];
-        const double up = a.y - b.y;
-        if (up <= longest || std::abs(a.x - b.x) > up) continue;
-        longest = up;
-        middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
-    }
-    if (longest <= 0.0) return {};
     constexpr double kHalf = 2.6;
-    return {{middle.x, middle.y - kHalf}, {middle.x + kHalf, middle.y + kHalf}, {middle.x - kHalf, middle.y + kHalf}};
+    const DrawPoint& at = line.arrow;
+    return {{at.x, at.y - kHalf}, {at.x + kHalf, at.y + kHalf}, {at.x - kHalf, at.y + kHalf}};
 }
 
 } // namespace planum::strat

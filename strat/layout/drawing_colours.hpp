@@ -54,7 +54,10 @@ struct DashPattern {
 /// Corners of the small mark that says "has finds", in the upper right corner of the box.
 [[nodiscard]] std::vector<DrawPoint> finds_mark(const DrawRect& box);
 
-/// Corners of the arrow head on an upward line, in the middle of its longest upright part; empty if none.
+/// Puts the arrow heads of upward lines on their longest upright parts, near the middle but clear of bars that cross.
+void place_arrows(MatrixDrawing& drawing);
+
+/// Corners of the arrow head on an upward line; empty if none.
 [[nodiscard]] std::vector<DrawPoint> arrow_head(const DrawnLine& line);
 
 /// Radius of the dot at a junction [pt].

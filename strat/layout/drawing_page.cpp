@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "strat/layout/drawing_colours.hpp"
 #include "strat/layout/drawing_style.hpp"
 #include "strat/layout/wrapped_text.hpp"
 
@@ -82,6 +83,7 @@ class PageMaker {
         drawing_.width = std::ceil(right_ + style::kPageMargin);
         drawing_.height = std::ceil(bottom_ + style::kPageMargin);
         write_title();
+        place_arrows(drawing_);
     }
 
   private:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "strat/layout/drawing_colours.hpp"
 #include "strat/layout/svg_writer.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/drawing_laws.hpp"
@@ -15,6 +16,7 @@ using namespace planum::strat;
 using planum::test::a_matrix;
 using planum::test::broken_law;
 using planum::test::drawing_of;
+using planum::test::MatrixBuilder;
 
 namespace {
 
@@ -70,6 +72,28 @@ TEST_CASE("A chain that runs straight on is not pulled aside to what branches of
     const double x = box_named(drawing, "3").rect.centre().x;
     for (const char* name : {"5", "6"}) CHECK(box_named(drawing, name).rect.centre().x == x);
     CHECK(box_named(drawing, "1").rect.centre().x == box_named(drawing, "2").rect.centre().x);
+}
+
+TEST_CASE("The arrow head of an upward line stands clear of the bars that cross it") {
+    // The line from 2 up to 1 passes the bar to 2 half the way.
+    MatrixBuilder builder = a_matrix().above("1", "2").above("2", "1");
+    for (const char* other : {"3", "4", "5", "6", "7"}) builder.above(other, "2");
+    const MatrixDrawing drawing = drawing_of(builder.record());
+    std::size_t heads = 0;
+    for (const DrawnLine& line : drawing.lines) {
+        const std::vector<DrawPoint> head = arrow_head(line);
+        if (head.empty()) continue;
+        ++heads;
+        for (const DrawnLine& other : drawing.lines) {
+            for (std::size_t i = 1; i < other.points.size(); ++i) {
+                const DrawPoint& a = other.points[i - 1];
+                const DrawPoint& b = other.points[i];
+                const bool over = std::min(a.x, b.x) < line.arrow.x && std::max(a.x, b.x) > line.arrow.x;
+                if (a.y == b.y && over) CHECK((a.y < head[0].y || a.y > head[1].y));
+            }
+        }
+    }
+    CHECK(heads == 1);
 }
 
 TEST_CASE("The letter H does not state an order that nobody recorded") {
