@@ -17,11 +17,11 @@ namespace planum::app {
 namespace {
 
 strat::CheckResult run_checks(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
-                              Progress& progress) {
+                              std::span<const model::GroundAlteration> alterations, Progress& progress) {
     progress.step("building the matrix");
     const auto matrix = strat::HarrisMatrix::build(record);
     progress.step("checking");
-    return strat::check(record, matrix, strat::CheckOptions{}, surfaces, progress);
+    return strat::check(record, matrix, strat::CheckOptions{}, surfaces, progress, alterations);
 }
 
 const model::Decision* last_sign_off(const model::Record& record) {
@@ -32,11 +32,7 @@ const model::Decision* last_sign_off(const model::Record& record) {
     return last;
 }
 
-} // namespace
-
-DailyCheck check_record(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
-                        Progress& progress) {
-    strat::CheckResult result = run_checks(record, surfaces, progress);
+DailyCheck reviewed(strat::CheckResult result, const model::Record& record) {
     DailyCheck check;
     check.coverage = std::move(result.coverage);
     check.verdicts = std::move(result.verdicts);
@@ -44,21 +40,34 @@ DailyCheck check_record(const model::Record& record, std::span<const model::Surf
         check.signed_off_at = signed_off->made_at;
         check.signed_off_by = signed_off->author;
     }
-    for (strat::ReviewedDiagnostic& reviewed : strat::review(std::move(result.diagnostics), record.decisions)) {
-        if (reviewed.accepted) {
-            check.accepted.push_back(std::move(reviewed.diagnostic));
+    for (strat::ReviewedDiagnostic& one : strat::review(std::move(result.diagnostics), record.decisions)) {
+        if (one.accepted) {
+            check.accepted.push_back(std::move(one.diagnostic));
             continue;
         }
         // Before the first sign-off everything is new, so the word would say nothing.
-        if (reviewed.is_new && !check.signed_off_at.empty()) check.new_ids.insert(reviewed.diagnostic.id);
-        check.problems.push_back(std::move(reviewed.diagnostic));
+        if (one.is_new && !check.signed_off_at.empty()) check.new_ids.insert(one.diagnostic.id);
+        check.problems.push_back(std::move(one.diagnostic));
     }
     std::stable_partition(check.problems.begin(), check.problems.end(),
                           [&](const model::Diagnostic& d) { return check.new_ids.contains(d.id); });
     return check;
 }
 
-DailyCheck check_record(const model::Record& record, Progress& progress) { return check_record(record, {}, progress); }
+} // namespace
+
+DailyCheck check_record(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
+                        Progress& progress) {
+    return reviewed(run_checks(record, surfaces, {}, progress), record);
+}
+
+DailyCheck check_record(const model::Record& record, const model::Measurements& measured, Progress& progress) {
+    return reviewed(run_checks(record, measured.pairs, measured.alterations, progress), record);
+}
+
+DailyCheck check_record(const model::Record& record, Progress& progress) {
+    return reviewed(run_checks(record, {}, {}, progress), record);
+}
 
 std::size_t DailyCheck::count(model::Severity severity) const noexcept {
     return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(),
@@ -66,9 +75,9 @@ std::size_t DailyCheck::count(model::Severity severity) const noexcept {
 }
 
 DailyCheck check_project(Project& project, const std::string& interpretation, Progress& progress) {
-    const std::vector<model::SurfaceEvidence> surfaces = measured_evidence(project, progress);
-    if (interpretation.empty()) return check_record(project.record(), surfaces, progress);
-    return check_record(interpreted(project.record(), interpretation), surfaces, progress);
+    const model::Measurements measured = measured_evidence(project, progress);
+    if (interpretation.empty()) return check_record(project.record(), measured, progress);
+    return check_record(interpreted(project.record(), interpretation), measured, progress);
 }
 
 void accept_problem(Project& project, std::string_view id, std::string_view because, Progress& progress) {

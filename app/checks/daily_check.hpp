@@ -41,6 +41,10 @@ struct DailyCheck {
 [[nodiscard]] DailyCheck check_record(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
                                       Progress& progress);
 
+/// The same with all that is measured.
+[[nodiscard]] DailyCheck check_record(const model::Record& record, const model::Measurements& measured,
+                                      Progress& progress);
+
 /// Keeps a problem silent until its units or evidence change. Throws NotFound when no undecided problem has
 /// the id, Usage without a reason.
 void accept_problem(Project& project, std::string_view id, std::string_view because, Progress& progress);

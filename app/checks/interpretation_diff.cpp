@@ -101,9 +101,9 @@ InterpretationDiff diff_interpretations(Project& project, const std::string& fir
     add_orders(b, a, Reading::Second, diff);
     sort_naturally(diff.relations, [](const auto& r) { return std::tie(r.unit, r.other); });
     sort_naturally(diff.orders, [](const auto& o) { return std::tie(o.later, o.earlier); });
-    const std::vector<model::SurfaceEvidence> surfaces = measured_evidence(project, progress);
-    const DailyCheck check_a = check_record(a.record, surfaces, progress);
-    const DailyCheck check_b = check_record(b.record, surfaces, progress);
+    const model::Measurements measured = measured_evidence(project, progress);
+    const DailyCheck check_a = check_record(a.record, measured, progress);
+    const DailyCheck check_b = check_record(b.record, measured, progress);
     add_problems(check_a, check_b, Reading::First, diff);
     add_problems(check_b, check_a, Reading::Second, diff);
     return diff;

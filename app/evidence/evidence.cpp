@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "app/evidence/outline_key.hpp"
 #include "app/evidence/step_cache.hpp"
 #include "app/scans/days_surface.hpp"
 #include "app/scans/scan_stores.hpp"
@@ -31,21 +32,6 @@ namespace {
 constexpr double kFar = 100.0; // from all set-ups of the scanner [m]
 constexpr double kSpare = 0.1; // around all outlines [m]
 constexpr std::string_view kVersion = "planum evidence 2\n";
-
-// What the labels of a surface are made from; units by id, so that a new unit in the list moves nothing.
-std::string text_of(const model::Region& region) {
-    std::string text = fmt::format("{} {} {} {}\n", region.unit.to_string(), static_cast<int>(region.category),
-                                   static_cast<int>(region.shows), region.sigma);
-    for (const model::Polygon& polygon : region.outline) {
-        const auto add = [&](const model::Ring& ring) {
-            for (const auto& p : ring) text += fmt::format("{} {},", p[0], p[1]);
-            text += '\n';
-        };
-        add(polygon.outer);
-        for (const model::Ring& hole : polygon.holes) add(hole);
-    }
-    return text;
-}
 
 // All that belongs to the surfaces of one area, in the order of time.
 class AreaWork {
@@ -191,7 +177,7 @@ class AreaWork {
         for (const model::Surface* surface : surfaces_) {
             std::string heights = surface_key(record_, surface->id, frame_);
             std::string labels = heights + fmt::format("\n{}\n", record_.settings.tolerance);
-            for (const model::Region& region : regions_[surface->id]) labels += text_of(region);
+            for (const model::Region& region : regions_[surface->id]) labels += outline_key(region);
             so_far += heights + '\n';
             keys_.push_back({std::move(heights), sha256(fmt::format("{}{}", kVersion, labels)), sha256(so_far)});
         }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/evidence/altered_ground.hpp"
 #include "app/evidence/evidence.hpp"
 #include "app/regions/region_layout.hpp"
 
@@ -96,8 +97,9 @@ std::vector<model::SurfaceEvidence> with_sections(std::vector<model::SurfaceEvid
     return surfaces;
 }
 
-std::vector<model::SurfaceEvidence> measured_evidence(Project& project, Progress& progress) {
-    return with_sections(surface_evidence(gather_evidence(project, progress)), project.record());
+model::Measurements measured_evidence(Project& project, Progress& progress) {
+    const std::vector<AreaEvidence> areas = gather_evidence(project, progress);
+    return {with_sections(surface_evidence(areas), project.record()), altered_ground(project, areas, progress)};
 }
 
 std::string reason_of(const model::Record& record, const model::RecordIndex& index, const SectionEvidence& evidence) {

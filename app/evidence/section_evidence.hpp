@@ -47,9 +47,9 @@ inline constexpr double kSectionStrip = 0.2;
 [[nodiscard]] std::vector<model::SurfaceEvidence> with_sections(std::vector<model::SurfaceEvidence> surfaces,
                                                                 const model::Record& record);
 
-/// All that is measured of a project and speaks for an order, as the checks take it: gather_evidence() with the
-/// sections. Throws Cancelled.
-[[nodiscard]] std::vector<model::SurfaceEvidence> measured_evidence(Project& project, Progress& progress);
+/// All that is measured of a project, as the checks take it: gather_evidence() with the sections, and altered_ground().
+/// Throws Cancelled.
+[[nodiscard]] model::Measurements measured_evidence(Project& project, Progress& progress);
 
 /// "in section W1 1017 lies on 1042 along 1.2 m", or the question.
 [[nodiscard]] std::string reason_of(const model::Record& record, const model::RecordIndex& index,

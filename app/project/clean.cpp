@@ -49,7 +49,8 @@ std::vector<fs::path> left_over(const fs::path& project) {
 // Gridded surfaces and what was found between them: each redrawn outline and each new pose leaves old ones, and all are
 // made again when they are asked for. What another program writes just now has another ending.
 std::vector<fs::path> surface_caches(const fs::path& project) {
-    constexpr std::array<std::string_view, 5> kEndings = {".grid", ".summary", ".step", ".density", ".floor"};
+    constexpr std::array<std::string_view, 6> kEndings = {".grid",    ".summary", ".step",
+                                                          ".density", ".floor",   ".altered"};
     std::vector<fs::path> found;
     for (const char* name : {"surfaces", "evidence"}) {
         const fs::path folder = scans_folder(project) / name;

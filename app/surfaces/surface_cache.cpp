@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/project/sealed_file.hpp"
 #include "app/scans/scan_stores.hpp"
@@ -18,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kVersion = "planum surface grid 2\n";
+constexpr std::string_view kVersion = "planum surface grid 3\n";
 
 template<class Value>
 void append(std::string& bytes, const std::vector<Value>& values) {
@@ -36,7 +38,35 @@ void take(std::string_view& bytes, std::vector<Value>& values, std::size_t count
 
 constexpr std::size_t kBytesOfCell = 6 * sizeof(float) + sizeof(std::uint16_t) + 1;
 
-std::string to_bytes(const scans::SurfaceGrid& grid) {
+using nlohmann::json;
+
+std::string text_of(const std::vector<scans::DisputedPatch>& disputed) {
+    json patches = json::array();
+    for (const scans::DisputedPatch& p : disputed)
+        patches.push_back({p.x, p.y, p.area, p.difference, p.detectable, p.lower, p.higher, p.cells});
+    // Names of scans are names of files, whose bytes need not be UTF-8.
+    return patches.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// Cells beyond `cells` can only come from another program; nothing is made of them.
+std::optional<std::vector<scans::DisputedPatch>> disputed_from(std::string_view text, std::size_t cells) {
+    std::vector<scans::DisputedPatch> disputed;
+    try {
+        for (const json& p : json::parse(text)) {
+            disputed.push_back({p.at(0), p.at(1), p.at(2), p.at(3), p.at(4), p.at(5), p.at(6),
+                                p.at(7).get<std::vector<std::size_t>>()});
+            for (const std::size_t cell : disputed.back().cells) {
+                if (cell >= cells) return std::nullopt;
+            }
+        }
+    } catch (const json::exception&) {
+        return std::nullopt;
+    }
+    return disputed;
+}
+
+std::string to_bytes(const KeptSurface& surface) {
+    const scans::SurfaceGrid& grid = surface.grid;
     std::string bytes{kVersion};
     append(bytes, grid.height);
     append(bytes, grid.spread);
@@ -46,17 +76,18 @@ std::string to_bytes(const scans::SurfaceGrid& grid) {
     append(bytes, grid.state);
     append(bytes, grid.side_east);
     append(bytes, grid.side_north);
+    bytes += text_of(surface.disputed);
     return bytes;
 }
 
-std::optional<scans::SurfaceGrid> read_cached(const fs::path& file, const scans::GridFrame& frame) {
+std::optional<KeptSurface> read_cached(const fs::path& file, const scans::GridFrame& frame) {
     const std::optional<std::string> kept = read_sealed(file);
     const std::size_t n = frame.cells();
-    if (!kept || kept->size() != kVersion.size() + n * kBytesOfCell || !kept->starts_with(kVersion))
-        return std::nullopt;
+    if (!kept || kept->size() < kVersion.size() + n * kBytesOfCell || !kept->starts_with(kVersion)) return std::nullopt;
     std::string_view bytes = *kept;
     bytes.remove_prefix(kVersion.size());
-    scans::SurfaceGrid grid;
+    KeptSurface surface;
+    scans::SurfaceGrid& grid = surface.grid;
     grid.frame = frame;
     take(bytes, grid.height, n);
     take(bytes, grid.spread, n);
@@ -66,7 +97,10 @@ std::optional<scans::SurfaceGrid> read_cached(const fs::path& file, const scans:
     take(bytes, grid.state, n);
     take(bytes, grid.side_east, n);
     take(bytes, grid.side_north, n);
-    return grid;
+    std::optional<std::vector<scans::DisputedPatch>> disputed = disputed_from(bytes, n);
+    if (!disputed) return std::nullopt;
+    surface.disputed = std::move(*disputed);
+    return surface;
 }
 
 } // namespace
@@ -100,16 +134,22 @@ std::string surface_key(const model::Record& record, model::SurfaceId surface, c
                               frame.cell, record.settings.tolerance, text));
 }
 
-scans::SurfaceGrid cached_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
-                                  const std::string& key, Progress& progress) {
+KeptSurface kept_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
+                         const std::string& key, Progress& progress) {
     const fs::path file = scans_folder(project.path()) / "surfaces" / (key.substr(0, 32) + ".grid");
     if (auto cached = read_cached(file, frame)) return std::move(*cached);
     scans::SurfaceOptions options;
     options.tolerance = project.record().settings.tolerance;
-    scans::SurfaceGrid grid =
-        scans::build_surface(surface_scans(project, surface, progress), frame, options, progress).grid;
-    write_sealed(file, to_bytes(grid));
-    return grid;
+    scans::BuiltSurface built =
+        scans::build_surface(surface_scans(project, surface, progress), frame, options, progress);
+    KeptSurface kept{std::move(built.grid), std::move(built.disputed)};
+    write_sealed(file, to_bytes(kept));
+    return kept;
+}
+
+scans::SurfaceGrid cached_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
+                                  const std::string& key, Progress& progress) {
+    return kept_surface(project, surface, frame, key, progress).grid;
 }
 
 } // namespace planum::app

@@ -19,9 +19,19 @@ namespace planum::app {
 [[nodiscard]] std::string surface_key(const model::Record& record, model::SurfaceId surface,
                                       const scans::GridFrame& frame);
 
-/// The heights of a surface from its registered scans, kept in NAME.scans/surfaces under `key`, which surface_key()
+/// A surface as its scans give it, with where they disagree.
+struct KeptSurface {
+    scans::SurfaceGrid grid;
+    std::vector<scans::DisputedPatch> disputed; ///< largest first
+};
+
+/// A surface from its registered scans, kept in NAME.scans/surfaces under `key`, which surface_key()
 /// gave. A cache that cannot be written (read-only media) is done without. Throws as placed_scans() when points are
 /// needed and missing.
+[[nodiscard]] KeptSurface kept_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
+                                       const std::string& key, Progress& progress);
+
+/// The heights of kept_surface() alone.
 [[nodiscard]] scans::SurfaceGrid cached_surface(Project& project, model::SurfaceId surface,
                                                 const scans::GridFrame& frame, const std::string& key,
                                                 Progress& progress);

@@ -31,4 +31,38 @@ struct SurfaceEvidence {
     friend bool operator==(const SurfaceEvidence&, const SurfaceEvidence&) = default;
 };
 
+/// Ground of a surface that does not lie where it should; from scans, given to the checks as a value.
+struct GroundAlteration {
+    enum class Kind {
+        ChangedWithin, ///< two scans of one surface disagree
+        Rose           ///< higher than on the surface before
+    };
+
+    Kind kind = Kind::Rose;
+    std::string surface;       ///< as lists call it
+    std::string since;         ///< the surface it rose from
+    std::vector<UnitId> units; ///< that lie there, largest part first
+    double x = 0.0;            ///< a place inside [m, site]
+    double y = 0.0;
+    double area = 0.0;       ///< [m²]
+    double change = 0.0;     ///< median of how much higher it is, or one scan has it [m]
+    double detectable = 0.0; ///< median of what could be told from none, 95 % [m]
+    double low = 0.0;        ///< heights of the ground there [m, site]
+    double high = 0.0;
+    std::string lower_scan; ///< of two that disagree
+    std::string higher_scan;
+
+    friend bool operator==(const GroundAlteration&, const GroundAlteration&) = default;
+};
+
+/// All that scans and sections say to the checks.
+struct Measurements {
+    std::vector<SurfaceEvidence> pairs;
+    std::vector<GroundAlteration> alterations;
+
+    [[nodiscard]] bool empty() const noexcept { return pairs.empty() && alterations.empty(); }
+
+    friend bool operator==(const Measurements&, const Measurements&) = default;
+};
+
 } // namespace planum::model

@@ -3272,6 +3272,26 @@
         <translation>%1 liegt nicht im Grabungsnetz, also folgt nichts daraus; planum register SITE sagt warum</translation>
     </message>
     <message>
+        <source>%1 patches of ground on which scans of one surface disagree, among them %2</source>
+        <translation>%1 Stellen, an denen Scans einer Fläche einander widersprechen, darunter %2</translation>
+    </message>
+    <message>
+        <source>%1 patches of ground rose, among them %2</source>
+        <translation>%1 Stellen, an denen der Boden höher liegt als zuvor, darunter %2</translation>
+    </message>
+    <message>
+        <source>ground without a unit</source>
+        <translation>Boden ohne Befund</translation>
+    </message>
+    <message>
+        <source>on %1 scans disagree over %2 m² of %3 near %4 at %5 to %6 m: %7 shows it %8 m higher than %9; it changed between the two, or one of them is misplaced</source>
+        <translation>Am %1 widersprechen sich Scans auf %2 m² von %3 bei %4 in %5 bis %6 m Höhe: %7 zeigt den Boden %8 m höher als %9; er hat sich dazwischen geändert, oder einer der beiden liegt falsch</translation>
+    </message>
+    <message>
+        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8: heaped up, filled in, or a scan is misplaced; nothing is concluded there until it is below its former height</source>
+        <translation>Am %1 lagen %2 m² von %3 bei %4 in %5 bis %6 m Höhe %7 m höher als am %8: aufgeschüttet, verfüllt, oder ein Scan liegt falsch; dort wird nichts geschlossen, bis der Boden unter seiner früheren Höhe liegt</translation>
+    </message>
+    <message>
         <source>on %1 %2 of %3 lay bare where %4 had been on %5, %6 lower</source>
         <translation>am %1 lagen %2 von %3 frei, wo am %5 %4 gewesen war, %6 tiefer</translation>
     </message>

@@ -3272,6 +3272,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 patches of ground on which scans of one surface disagree, among them %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 patches of ground rose, among them %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ground without a unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 scans disagree over %2 m² of %3 near %4 at %5 to %6 m: %7 shows it %8 m higher than %9; it changed between the two, or one of them is misplaced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8: heaped up, filled in, or a scan is misplaced; nothing is concluded there until it is below its former height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>on %1 %2 of %3 lay bare where %4 had been on %5, %6 lower</source>
         <translation type="unfinished"></translation>
     </message>

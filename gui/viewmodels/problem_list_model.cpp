@@ -166,9 +166,9 @@ void ProblemListModel::check_again() {
     workspace_.jobs().start(
         QStringLiteral("check"), JobRunner::Queueing::Newest, tr("Checking"), Job::Kind::Quiet,
         [this, snapshot, surfaces = surfaces_](Progress& progress) -> JobRunner::Done {
-            const std::span<const model::SurfaceEvidence> said =
-                surfaces == nullptr ? std::span<const model::SurfaceEvidence>() : *surfaces;
-            auto check = std::make_shared<const app::DailyCheck>(app::check_record(snapshot->record(), said, progress));
+            const Surfaces none;
+            auto check = std::make_shared<const app::DailyCheck>(
+                app::check_record(snapshot->record(), surfaces == nullptr ? none : *surfaces, progress));
             return [this, check, snapshot] {
                 if (workspace_.is_open()) take(check, snapshot);
             };

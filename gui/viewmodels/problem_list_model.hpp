@@ -98,7 +98,7 @@ class ProblemListModel : public QAbstractListModel {
     void openedChanged();
 
   private:
-    using Surfaces = std::vector<model::SurfaceEvidence>;
+    using Surfaces = model::Measurements;
 
     void ask_surfaces();
     void take_surfaces(std::shared_ptr<const Surfaces> said, const Workspace::SnapshotPtr& asked_for);

@@ -173,6 +173,15 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences", "the run says no more"),
     QT_TRANSLATE_NOOP("sentences",
                       "%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why"),
+    QT_TRANSLATE_NOOP("sentences", "%1 patches of ground on which scans of one surface disagree, among them %2"),
+    QT_TRANSLATE_NOOP("sentences", "%1 patches of ground rose, among them %2"),
+    QT_TRANSLATE_NOOP("sentences", "ground without a unit"),
+    QT_TRANSLATE_NOOP(
+        "sentences", "on %1 scans disagree over %2 m² of %3 near %4 at %5 to %6 m: %7 shows it %8 m higher than %9; it "
+                     "changed between the two, or one of them is misplaced"),
+    QT_TRANSLATE_NOOP("sentences",
+                      "on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8: heaped up, filled in, or a "
+                      "scan is misplaced; nothing is concluded there until it is below its former height"),
     QT_TRANSLATE_NOOP("sentences", "on %1 %2 of %3 lay bare where %4 had been on %5, %6 lower"),
     QT_TRANSLATE_NOOP("sentences", "on %1 %2 of the cut %3 lay bare where %4 had been on %5, %6 lower"),
     QT_TRANSLATE_NOOP("sentences", "the cut %1 was empty on %2; on %3 %4 of %5 lay %6 below its bottom"),

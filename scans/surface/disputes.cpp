@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 
+#include "scans/surface/cell_patches.hpp"
+
 namespace planum::scans {
 
 namespace {
@@ -74,54 +76,6 @@ class Finder {
     const SurfaceGrid& grid_;
 };
 
-using Cells = std::vector<std::uint8_t>;
-
-/// Cells whose 3 × 3 neighbourhood lies in the set, grown again by as much: lines of one or two cells go.
-Cells opened(const GridFrame& frame, const Cells& set) {
-    const auto all_around = [&](const Cells& from, std::int32_t row, std::int32_t column, std::uint8_t wanted) {
-        for (std::int32_t r = row - 1; r <= row + 1; ++r) {
-            for (std::int32_t c = column - 1; c <= column + 1; ++c) {
-                const bool inside = r >= 0 && c >= 0 && r < frame.rows && c < frame.columns;
-                if ((inside ? from[frame.at(r, c)] : 0) != wanted) return false;
-            }
-        }
-        return true;
-    };
-    Cells core(set.size());
-    Cells result(set.size());
-    for (std::int32_t row = 0; row < frame.rows; ++row) {
-        for (std::int32_t column = 0; column < frame.columns; ++column) {
-            const std::size_t cell = frame.at(row, column);
-            core[cell] = set[cell] != 0 && all_around(set, row, column, 1) ? 1 : 0;
-        }
-    }
-    for (std::int32_t row = 0; row < frame.rows; ++row) {
-        for (std::int32_t column = 0; column < frame.columns; ++column)
-            result[frame.at(row, column)] = all_around(core, row, column, 0) ? 0 : 1;
-    }
-    return result;
-}
-
-/// Takes one connected patch out of the set.
-std::vector<std::size_t> take_patch(const GridFrame& frame, Cells& set, std::size_t start) {
-    std::vector<std::size_t> patch{start};
-    set[start] = 0;
-    for (std::size_t i = 0; i < patch.size(); ++i) {
-        const auto row = static_cast<std::int32_t>(patch[i] / static_cast<std::size_t>(frame.columns));
-        const auto column = static_cast<std::int32_t>(patch[i] % static_cast<std::size_t>(frame.columns));
-        for (std::int32_t r = std::max(0, row - 1); r <= std::min(frame.rows - 1, row + 1); ++r) {
-            for (std::int32_t c = std::max(0, column - 1); c <= std::min(frame.columns - 1, column + 1); ++c) {
-                const std::size_t cell = frame.at(r, c);
-                if (set[cell] == 0) continue;
-                set[cell] = 0;
-                patch.push_back(cell);
-            }
-        }
-    }
-    std::sort(patch.begin(), patch.end());
-    return patch;
-}
-
 double median(std::vector<double> values) {
     if (values.empty()) return 0.0;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -164,12 +118,12 @@ std::vector<DisputedPatch> settle_disputes(const LayerField& field, std::span<co
                                            const SurfaceOptions& options, SurfaceGrid& grid) {
     const GridFrame& frame = field.frame;
     const Finder finder(field, scans, options, grid);
-    Cells disputed(frame.cells());
+    CellSet disputed(frame.cells());
     for (std::int32_t row = 0; row < frame.rows; ++row) {
         for (std::int32_t column = 0; column < frame.columns; ++column)
             disputed[frame.at(row, column)] = finder.at(row, column) ? 1 : 0;
     }
-    Cells open = opened(frame, disputed);
+    CellSet open = opened(frame, disputed);
     std::vector<DisputedPatch> patches;
     for (std::size_t start = 0; start < open.size(); ++start) {
         if (open[start] == 0) continue;
@@ -192,6 +146,7 @@ std::vector<DisputedPatch> settle_disputes(const LayerField& field, std::span<co
             detectable.push_back(found->detectable);
             grid.state[cell] = CellState::Disputed;
             grid.height[cell] = found->higher.count > found->lower.count ? found->higher.height : found->lower.height;
+            patch.cells.push_back(cell);
         }
         const std::size_t middle = cells[cells.size() / 2];
         patch.x = frame.x(static_cast<std::int32_t>(middle % static_cast<std::size_t>(frame.columns)));

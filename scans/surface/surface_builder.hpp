@@ -33,6 +33,7 @@ struct DisputedPatch {
     double detectable = 0.0; ///< median of what could be told apart there, 95 % [m]
     std::string lower;       ///< the scan that mostly says the lower height
     std::string higher;
+    std::vector<std::size_t> cells; ///< of the frame, ascending
 };
 
 struct BuiltSurface {

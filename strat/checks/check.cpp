@@ -32,6 +32,7 @@ constexpr std::array kFamilies = {
     Family{"looking at sources", check_sources},
     Family{"looking at scans", check_scans},
     Family{"looking at outlines", check_regions},
+    Family{"looking at ground that changed", check_ground},
     Family{"counting redundant relations", check_redundancy},
 };
 
@@ -66,14 +67,18 @@ constexpr std::array kCodes = {
     CheckCode{"region-without-unit", Severity::Info, "an outline of a unit that has no number, or one that is no unit"},
     CheckCode{"scan-unregistered", Severity::Info, "a scan without a place on the site grid"},
     CheckCode{"scan-poorly-registered", Severity::Info, "a scan whose place is not sure to 10 mm and 0.1 degrees"},
+    CheckCode{"surface-changed-within", Severity::Info, "scans of one surface that disagree about the ground"},
+    CheckCode{"surface-rose", Severity::Info, "ground that lies higher than on the surface before"},
     CheckCode{"redundant-relation", Severity::Info, "a relation that follows from others"},
 };
 
 } // namespace
 
 CheckResult check(const model::Record& record, const HarrisMatrix& merged, const CheckOptions& options,
-                  std::span<const model::SurfaceEvidence> surfaces, Progress& progress) {
-    const CheckContext context(record, merged, options, surfaces, progress);
+                  std::span<const model::SurfaceEvidence> surfaces, Progress& progress,
+                  std::span<const model::GroundAlteration> alterations) {
+    CheckContext context(record, merged, options, surfaces, progress);
+    context.alterations = alterations;
     CheckResult result;
     for (const Family& family : kFamilies) {
         progress.check();

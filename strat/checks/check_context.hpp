@@ -52,6 +52,7 @@ struct CheckContext {
     const HarrisMatrix& matrix;
     const CheckOptions& options;
     std::span<const model::SurfaceEvidence> surfaces;
+    std::span<const model::GroundAlteration> alterations; ///< set by check(); none elsewhere
     Progress& progress;
     model::RecordIndex index;
 

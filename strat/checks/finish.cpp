@@ -57,6 +57,8 @@ model::Diagnostic bundle(const CheckContext& c, std::vector<model::Diagnostic> a
             names.push_back(c.index.name(d.units.front()));
         } else if (const auto scan = d.evidence.find("scan"); scan != d.evidence.end()) {
             names.push_back(std::get<std::string>(scan->second));
+        } else if (const auto surface = d.evidence.find("surface"); surface != d.evidence.end()) {
+            names.push_back("one on " + std::get<std::string>(surface->second));
         } else if (const auto drawn = d.evidence.find("drawn_as"); drawn != d.evidence.end()) {
             const auto& number = std::get<std::string>(drawn->second);
             names.push_back(number.empty() ? "one without a number" : number);
@@ -68,6 +70,8 @@ model::Diagnostic bundle(const CheckContext& c, std::vector<model::Diagnostic> a
     if (one.code == "region-without-unit") what = "outlines belong to no unit of the project";
     if (one.code == "scan-unregistered") what = "scans are not on the site grid (planum register)";
     if (one.code == "scan-poorly-registered") what = "scans are placed poorly";
+    if (one.code == "surface-changed-within") what = "patches of ground on which scans of one surface disagree";
+    if (one.code == "surface-rose") what = "patches of ground rose";
     if (one.code == "dangling-unit") what = "units are named in relations but have no sheet of their own";
     one.message = fmt::format("{} {}, among them {}", alike.size(), what, list_names(names, names.size()));
     one.evidence["count"] = static_cast<std::int64_t>(alike.size());
@@ -114,7 +118,8 @@ std::string diagnostic_id(const CheckContext& context, const model::Diagnostic& 
         if (it == d.evidence.end()) return;
         if (const auto* text = std::get_if<std::string>(&it->second)) parts.push_back(key + "=" + *text);
     };
-    for (const std::string key : {"find", "source", "file", "note", "text", "scan", "region"}) add_text(key);
+    for (const std::string key : {"find", "source", "file", "note", "text", "scan", "region", "surface", "since"})
+        add_text(key);
     return short_hash(d.code, parts);
 }
 
