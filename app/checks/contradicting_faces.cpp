@@ -26,7 +26,8 @@ Found find_conclusion(const std::vector<AreaEvidence>& areas, const model::Diagn
     Found found{nullptr, nullptr};
     for (const AreaEvidence& area : areas) {
         for (const scans::Conclusion& c : area.conclusions) {
-            if (c.is_question || c.thin || problem.units.size() != 2) continue;
+            const bool asked = c.is_question && c.ground != scans::Ground::RoofOfHollow;
+            if (asked || c.thin || problem.units.size() != 2) continue;
             if (area.units[static_cast<std::size_t>(c.unit)].id != problem.units[1] ||
                 area.units[static_cast<std::size_t>(c.other)].id != problem.units[0])
                 continue;

@@ -357,7 +357,8 @@ std::vector<model::SurfaceEvidence> surface_evidence(const std::vector<AreaEvide
     std::vector<model::SurfaceEvidence> all;
     for (const AreaEvidence& area : areas) {
         for (const scans::Conclusion& c : area.conclusions) {
-            if (c.is_question) continue;
+            const bool roof = c.ground == scans::Ground::RoofOfHollow && !c.thin;
+            if (c.is_question && !roof) continue;
             model::SurfaceEvidence e;
             e.upper = area.units[static_cast<std::size_t>(c.unit)].id;
             e.lower = area.units[static_cast<std::size_t>(c.other)].id;
@@ -367,8 +368,10 @@ std::vector<model::SurfaceEvidence> surface_evidence(const std::vector<AreaEvide
             e.thickness = c.thickness;
             e.tolerance = c.tolerance;
             e.both_faces_own = c.source == model::EvidenceSource::StratigraphicSurfaces;
-            e.testable = !c.thin;
+            e.testable = !c.thin && !roof;
+            e.below_is_bare_cut = roof || c.ground == scans::Ground::EmptiedCut;
             if (c.thin) e.why_not_testable = "thinner than the heights can tell";
+            if (roof) e.why_not_testable = "may be the roof of a hollow";
             e.surfaces = {area.surfaces[c.from], area.surfaces[c.to]};
             all.push_back(std::move(e));
         }

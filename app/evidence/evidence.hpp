@@ -40,7 +40,8 @@ struct AreaEvidence {
 /// of the units are alike. What the surfaces say of one record then holds for the other.
 [[nodiscard]] bool same_sources(const model::Record& a, const model::Record& b);
 
-/// The proven pairs as the checks take them; questions prove nothing and are left out.
+/// The proven pairs as the checks take them; questions prove nothing and are left out, but for those of a bare cut
+/// below something, which are not testable and tell only that the cut does not lie on it.
 [[nodiscard]] std::vector<model::SurfaceEvidence> surface_evidence(const std::vector<AreaEvidence>& areas);
 
 } // namespace planum::app

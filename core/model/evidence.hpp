@@ -26,6 +26,7 @@ struct SurfaceEvidence {
     bool both_faces_own = false; ///< both regions show `top` or `cut`
     bool testable = true;
     std::string why_not_testable;
+    bool below_is_bare_cut = false; ///< `lower` is an emptied cut, under a fill of it or something it reaches under
     std::vector<SurfaceId> surfaces;
 
     friend bool operator==(const SurfaceEvidence&, const SurfaceEvidence&) = default;

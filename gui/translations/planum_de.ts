@@ -3276,6 +3276,10 @@
         <translation>%1 Stellen, an denen Scans einer Fläche einander widersprechen, darunter %2</translation>
     </message>
     <message>
+        <source>%1, but over %2 m² the bare cut %3 came out where %4 had been, %5 m lower: %6, or %7 cuts %8 from beside</source>
+        <translation>%1, doch auf %2 m² lag der Eingriff %3 frei, wo %4 gewesen war, %5 m tiefer: %6, oder %7 schneidet %8 von der Seite</translation>
+    </message>
+    <message>
         <source>%1 patches of ground rose, among them %2</source>
         <translation>%1 Stellen, an denen der Boden höher liegt als zuvor, darunter %2</translation>
     </message>

@@ -3276,6 +3276,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1, but over %2 m² the bare cut %3 came out where %4 had been, %5 m lower: %6, or %7 cuts %8 from beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 patches of ground rose, among them %2</source>
         <translation type="unfinished"></translation>
     </message>

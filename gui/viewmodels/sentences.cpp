@@ -174,6 +174,10 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences",
                       "%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why"),
     QT_TRANSLATE_NOOP("sentences", "%1 patches of ground on which scans of one surface disagree, among them %2"),
+    QT_TRANSLATE_NOOP(
+        "sentences",
+        "%1, but over %2 m² the bare cut %3 came out where %4 had been, %5 m lower: %6, or %7 cuts %8 from "
+        "beside"),
     QT_TRANSLATE_NOOP("sentences", "%1 patches of ground rose, among them %2"),
     QT_TRANSLATE_NOOP("sentences", "ground without a unit"),
     QT_TRANSLATE_NOOP(

@@ -230,6 +230,7 @@ model::Coverage measure_coverage(const CheckContext& c, std::vector<model::Evide
     };
     std::unordered_map<std::uint64_t, const model::SurfaceEvidence*> seen;
     for (const model::SurfaceEvidence& e : c.surfaces) {
+        if (!e.testable) continue;
         seen[pair_key(c.index.find(e.upper), c.index.find(e.lower))] = &e;
     }
     for (RelationIndex r = 0; r < c.subject.size(); ++r) {
@@ -239,11 +240,11 @@ model::Coverage measure_coverage(const CheckContext& c, std::vector<model::Evide
         const auto backward = seen.find(pair_key(c.object[r], c.subject[r]));
         double agrees = 0.0;
         double contrary = 0.0;
-        if (forward != seen.end() && forward->second->testable) {
+        if (forward != seen.end()) {
             agrees += forward->second->area;
             contrary += forward->second->contrary_area;
         }
-        if (backward != seen.end() && backward->second->testable) {
+        if (backward != seen.end()) {
             agrees += backward->second->contrary_area;
             contrary += backward->second->area;
         }

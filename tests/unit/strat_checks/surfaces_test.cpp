@@ -87,6 +87,41 @@ TEST_CASE("Leaning, bonding and age alone are not held against heights") {
     }
 }
 
+TEST_CASE("A cut said to fill what lay above it is contradicted also where the surfaces only ask") {
+    SmallRecord r;
+    r.unit("1").kind = model::UnitKind::Cut;
+    r.unit("2").kind = model::UnitKind::Deposit;
+    r.relate("1", RelationKind::Fills, "2");
+    auto asked = seen_above(r, "2", "1");
+    asked.area = 0.018; // a proposal takes no more
+    asked.testable = false;
+    asked.below_is_bare_cut = true;
+    strat::CheckResult whole;
+    const auto said = contradictions(r, {asked}, &whole);
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].severity == model::Severity::Warning);
+    CHECK_THAT(said[0].message, Catch::StartsWith("1 fills 2, but over 0.02 m² the bare cut 1 came out where 2 had "
+                                                  "been, 0.14 m lower: 2 fills 1, or 1 cuts 2 from beside"));
+    CHECK(whole.coverage.contradicted == 0); // a question is no evidence
+    auto thin = asked;
+    thin.thickness = 0.01;
+    CHECK(contradictions(r, {thin}).empty());
+    CHECK(contradictions(r, {asked, seen_above(r, "1", "2")}).empty()); // both ways round
+}
+
+TEST_CASE("What surfaces only ask contradicts nothing that may be") {
+    for (const RelationKind kind : {RelationKind::Cuts, RelationKind::Covers, RelationKind::Fills}) {
+        SmallRecord r;
+        r.unit("1").kind = kind == RelationKind::Fills ? model::UnitKind::Deposit : model::UnitKind::Cut;
+        r.unit("2").kind = kind == RelationKind::Fills ? model::UnitKind::Cut : model::UnitKind::Deposit;
+        r.relate("1", kind, "2");
+        auto asked = seen_above(r, "2", "1");
+        asked.testable = false;
+        asked.below_is_bare_cut = true;
+        CHECK(contradictions(r, {asked}).empty());
+    }
+}
+
 TEST_CASE("A pair stated as two kinds is one mistake") {
     SmallRecord r;
     r.covers("1", "2").relate("1", RelationKind::Cuts, "2");
