@@ -105,7 +105,10 @@ class AreaGround {
             if (key.empty() || drawn == nullptr) continue;
             for (GroundAlteration& a : found(*surface, before, *drawn)) {
                 a.surface = surface_name(record_, *surface);
-                if (a.kind == Kind::Rose) a.since = surface_name(record_, *before);
+                if (a.kind == Kind::Rose) {
+                    a.since = surface_name(record_, *before);
+                    a.order_and_days_differ = before->first_day > surface->first_day;
+                }
                 all.push_back(std::move(a));
             }
             before = surface;

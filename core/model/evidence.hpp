@@ -40,10 +40,11 @@ struct GroundAlteration {
     };
 
     Kind kind = Kind::Rose;
-    std::string surface;       ///< as lists call it
-    std::string since;         ///< the surface it rose from
-    std::vector<UnitId> units; ///< that lie there, largest part first
-    double x = 0.0;            ///< a place inside [m, site]
+    std::string surface;                ///< as lists call it
+    std::string since;                  ///< the surface it rose from
+    bool order_and_days_differ = false; ///< `since` comes before by its order, but after by its day
+    std::vector<UnitId> units;          ///< that lie there, largest part first
+    double x = 0.0;                     ///< a place inside [m, site]
     double y = 0.0;
     double area = 0.0;       ///< [m²]
     double change = 0.0;     ///< median of how much higher it is, or one scan has it [m]

@@ -3284,6 +3284,10 @@
         <translation>%1 Stellen, an denen der Boden höher liegt als zuvor, darunter %2</translation>
     </message>
     <message>
+        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (planum surface set --order)</source>
+        <translation>Am %1 lagen %2 m² von %3 bei %4 in %5 bis %6 m Höhe %7 m höher als am %8; das ist der spätere Tag, steht in der Folge der Flächen aber zuerst: die Flächen in ihre Folge bringen (planum surface set --order)</translation>
+    </message>
+    <message>
         <source>ground without a unit</source>
         <translation>Boden ohne Befund</translation>
     </message>

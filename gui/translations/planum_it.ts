@@ -3284,6 +3284,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (planum surface set --order)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>ground without a unit</source>
         <translation type="unfinished"></translation>
     </message>

@@ -179,6 +179,9 @@ constexpr std::array kSentences = {
         "%1, but over %2 m² the bare cut %3 came out where %4 had been, %5 m lower: %6, or %7 cuts %8 from "
         "beside"),
     QT_TRANSLATE_NOOP("sentences", "%1 patches of ground rose, among them %2"),
+    QT_TRANSLATE_NOOP("sentences",
+                      "on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but "
+                      "stands first in the order of surfaces: put them in their order (planum surface set --order)"),
     QT_TRANSLATE_NOOP("sentences", "ground without a unit"),
     QT_TRANSLATE_NOOP(
         "sentences", "on %1 scans disagree over %2 m² of %3 near %4 at %5 to %6 m: %7 shows it %8 m higher than %9; it "
