@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -70,8 +71,9 @@ void size_box(DrawnBox& box, const TextMeasure& measure) {
         box.line_widths.push_back(measure.width(line, box.text_size, FontWeight::Regular));
         widest = std::max(widest, box.line_widths.back());
     }
-    box.rect.width = std::max(style::kBoxMinWidth, widest + 2.0 * style::kBoxPadding) +
-                     (box.inner_cycle ? 2.0 * style::kInnerMark : 0.0);
+    // Whole points: two boxes side by side can then both be reached from above the middle between them.
+    box.rect.width = std::ceil(std::max(style::kBoxMinWidth, widest + 2.0 * style::kBoxPadding) +
+                               (box.inner_cycle ? 2.0 * style::kInnerMark : 0.0));
     box.rect.height = style::kBoxHeight + style::kLineHeight * static_cast<double>(box.lines.size() - 1);
 }
 

@@ -11,6 +11,7 @@
 #include "strat/layout/group_order.hpp"
 #include "strat/layout/level_switcher.hpp"
 #include "strat/layout/order_phase.hpp"
+#include "strat/layout/part_packing.hpp"
 
 namespace planum::strat {
 
@@ -405,43 +406,44 @@ class Layerer {
         component.width = std::ceil((right - left) * 2.0) / 2.0;
     }
 
-    // Largest first; smaller ones go below one another beside it. With bands all share the levels.
+    // Largest first, smaller ones where they leave room. Bands keep all on their levels, frames are rectangles to
+    // themselves.
     void pack() {
         std::vector<std::size_t> order(components_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return components_[a].nodes.size() > components_[b].nodes.size();
         });
-
-        struct Column {
-            double x = 0.0;
-            double width = 0.0;
-            std::int32_t next_level = 0;
-        };
-
-        std::vector<Column> columns;
-        std::int32_t deepest = 8; // a page of small parts is no taller than this
-        for (const Component& c : components_) deepest = std::max(deepest, c.levels);
-        double right = 0.0;
-        for (const std::size_t i : order) {
-            Component& c = components_[i];
-            const auto fits = [&](const Column& column) {
-                return c.width <= column.width && column.next_level + c.levels <= deepest;
-            };
-            auto column = graph_.bands.empty() ? std::find_if(columns.begin(), columns.end(), fits) : columns.end();
-            if (column == columns.end()) {
-                columns.push_back({right, c.width, 0});
-                column = columns.end() - 1;
-                right += c.width + style::kComponentGap;
-            }
-            c.x = column->x;
-            c.level = column->next_level;
-            column->next_level += c.levels + 1; // a level of air
+        std::vector<MatrixPart> parts;
+        for (const std::size_t i : order) parts.push_back(outline_of(components_[i]));
+        pack_parts(parts, graph_.bands.empty());
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            Component& c = components_[order[k]];
+            c.x = parts[k].x;
+            c.level = parts[k].level;
             for (const std::uint32_t v : c.nodes) {
                 out_.nodes[v].x += c.x;
                 out_.nodes[v].level += c.level;
             }
         }
+    }
+
+    [[nodiscard]] MatrixPart outline_of(const Component& component) const {
+        MatrixPart part;
+        const auto levels = static_cast<std::size_t>(component.levels);
+        if (!graph_.groups.empty()) {
+            part.levels.assign(levels, {0.0, component.width});
+            return part;
+        }
+        part.levels.assign(levels, {component.width, 0.0});
+        for (const std::uint32_t v : component.nodes) {
+            const LayeredMatrix::Node& node = out_.nodes[v];
+            const double half = (node.box == kNoBox ? node.width : graph_.boxes[node.box].box.rect.width) / 2.0;
+            MatrixPart::Level& level = part.levels[static_cast<std::size_t>(node.level)];
+            level.left = std::min(level.left, node.x - half);
+            level.right = std::max(level.right, node.x + half);
+        }
+        return part;
     }
 
     void collect_levels() {
