@@ -32,7 +32,7 @@ std::string_view medium_of(MatrixKind kind) {
 
 // Options by what they say something about; those not here are good for all.
 constexpr std::array kParts = {"area", "around", "steps", "fold", "since", "compare", "problems"};
-constexpr std::array kLooks = {"engine", "bands", "frames", "titles", "keep-places"};
+constexpr std::array kLooks = {"engine", "bands", "frames", "titles", "language", "keep-places"};
 
 struct OneMedium {
     std::string_view option;
@@ -114,6 +114,8 @@ void add_matrix_options(CLI::App& command, MatrixOptions& options) {
         ->check(not_empty, "");
     command.add_flag("--problems", draw.problems_only, "only what problems are about");
     command.add_flag("--titles", draw.titles, "short definitions below the numbers");
+    command.add_option("--language", draw.language, "of the key and headings: en or de")
+        ->check(CLI::IsMember({"en", "de"}));
     command
         .add_option("--keep-places", draw.keep_places,
                     "an earlier drawing (.svg): what stands in it stays where it is, as far as it can")

@@ -163,6 +163,7 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
         options.frames = strat::Frames::Groups;
     }
     options.around_steps = request.around_steps;
+    options.words = strat::words_in(request.language);
     options.unit_link = request.unit_link;
     if (!request.unit_link.empty() && request.unit_link.find("{unit}") == std::string::npos &&
         request.unit_link.find("{uuid}") == std::string::npos) {

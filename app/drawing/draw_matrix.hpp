@@ -27,6 +27,7 @@ struct DrawRequest {
     std::string since;               ///< ISO day: only what was added, removed or changed since, marked
     bool problems_only = false;      ///< units with errors or warnings about their relations
     bool titles = false;             ///< short definitions below the numbers
+    std::string language;            ///< of the drawing's own words: `en`, `de`; empty: English
     std::string unit_link; ///< where a unit leads to in SVG, with `{unit}` or `{uuid}` in it (strat::unit_link_of)
     std::filesystem::path keep_places;   ///< an earlier drawing (SVG) to move as little from as can be; empty: none
     std::filesystem::path layout_worker; ///< program that runs Graphviz in a child; empty: our own

@@ -74,10 +74,12 @@ void MatrixModel::draw_again() {
     if (!watched_ || !workspace_.is_open()) return;
     stale_ = false;
     drawing_now_ = true;
+    app::DrawRequest request = request_;
+    request.language = language_;
     workspace_.read(
         QStringLiteral("matrix"), tr("Drawing the matrix"),
-        [this, request = request_, prepare = prepare_, judged = judged()](app::Project& project,
-                                                                          Progress& progress) -> JobRunner::Done {
+        [this, request = std::move(request), prepare = prepare_,
+         judged = judged()](app::Project& project, Progress& progress) -> JobRunner::Done {
             auto drawing =
                 std::make_shared<const strat::MatrixDrawing>(app::draw_matrix(project, request, text_, progress));
             auto index = std::make_shared<const strat::DrawingIndex>(*drawing);

@@ -7,6 +7,8 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/drawing/draw_matrix.hpp"
@@ -61,6 +63,9 @@ class MatrixModel : public QObject {
     /// Drawing costs time: nothing is drawn while nobody looks.
     void set_watched(bool watched);
 
+    /// Code of the language of key and headings, for drawings to come.
+    void set_language(std::string code) { language_ = std::move(code); }
+
     void set_request(const app::DrawRequest& request);
 
     [[nodiscard]] const app::DrawRequest& request() const noexcept { return request_; }
@@ -109,6 +114,7 @@ class MatrixModel : public QObject {
     LineVerdicts verdicts_;
     const strat::TextMeasure& text_;
     app::DrawRequest request_;
+    std::string language_;
     bool watched_ = false;
     bool stale_ = true;
     std::shared_ptr<const strat::MatrixDrawing> drawing_;

@@ -150,7 +150,7 @@ class PageMaker {
         const double left = style::kPageMargin;
         const double limit = std::max({right_, left + 1.5 * std::sqrt(area), left + kLeastWidth});
         double y = bottom_ + (isolated.size() < drawing_.boxes.size() ? 30.0 : 0.0) + style::kHeadingSize;
-        add_text("heading", fmt::format("In no relation ({})", isolated.size()), {left, y}, style::kHeadingSize,
+        add_text("heading", with_number(graph_.words.isolated, isolated.size()), {left, y}, style::kHeadingSize,
                  FontWeight::Bold);
         y += 9.0;
         double x = left;
@@ -213,27 +213,27 @@ class PageMaker {
             if (!any([&](const DrawnBox& b) { return b.shape == shape && !b.mentioned_only; })) continue;
             LegendSample sample;
             sample.box.shape = shape;
-            legend_entry(sample, shape == BoxShape::Unknown ? "kind not recorded" : std::string(to_word(shape)), pen);
+            legend_entry(sample, graph_.words.shapes.at(static_cast<std::size_t>(s)), pen);
         }
         LegendSample sample;
         sample.box.mentioned_only = true;
         if (any([](const DrawnBox& b) { return b.mentioned_only; })) {
-            legend_entry(sample, "named in relations only", pen);
+            legend_entry(sample, graph_.words.mentioned_only, pen);
         }
         sample = {};
         sample.box.has_finds = true;
-        if (any([](const DrawnBox& b) { return b.has_finds; })) legend_entry(sample, "with finds", pen);
+        if (any([](const DrawnBox& b) { return b.has_finds; })) legend_entry(sample, graph_.words.with_finds, pen);
         sample = {};
         sample.box.in_cycle = true;
         sample.box.inner_cycle = true;
         if (any([](const DrawnBox& b) { return b.inner_cycle; })) {
-            legend_entry(sample, "contradiction that no line shows", pen);
+            legend_entry(sample, graph_.words.inner_cycle, pen);
         }
         for (const Mark mark : {Mark::Added, Mark::Removed, Mark::Changed, Mark::Problem}) {
             sample = {};
             sample.box.mark = mark;
             if (any([&](const DrawnBox& b) { return b.mark == mark; }))
-                legend_entry(sample, std::string(to_word(mark)), pen);
+                legend_entry(sample, graph_.words.marks.at(static_cast<std::size_t>(mark)), pen);
         }
     }
 
@@ -243,28 +243,28 @@ class PageMaker {
         sample.kind = LegendSample::Kind::Line;
         if (any([](const DrawnLine& l) { return l.uncertain; })) {
             sample.line.uncertain = true;
-            legend_entry(sample, "uncertain", pen);
+            legend_entry(sample, graph_.words.uncertain, pen);
         }
         sample.line = {};
         if (any([](const DrawnLine& l) { return l.through; })) {
             sample.line.through = true;
-            legend_entry(sample, "by way of units not drawn", pen);
+            legend_entry(sample, graph_.words.through, pen);
         }
         sample.line = {};
         if (any([](const DrawnLine& l) { return l.in_cycle; })) {
             sample.line.in_cycle = true;
-            legend_entry(sample, "in a cycle", pen);
+            legend_entry(sample, graph_.words.in_cycle, pen);
         }
         sample.line = {};
         if (any([](const DrawnLine& l) { return l.upwards && !l.in_cycle && l.mark == Mark::None; })) {
             sample.line.upwards = true;
-            legend_entry(sample, "against the phases", pen);
+            legend_entry(sample, graph_.words.against_bands, pen);
         }
         for (const Mark mark : {Mark::Added, Mark::Removed, Mark::Changed}) {
             sample.line = {};
             sample.line.mark = mark;
             if (any([&](const DrawnLine& l) { return l.mark == mark; }))
-                legend_entry(sample, std::string(to_word(mark)) + " order", pen);
+                legend_entry(sample, graph_.words.marked_orders.at(static_cast<std::size_t>(mark)), pen);
         }
     }
 

@@ -128,7 +128,8 @@ class GraphMaker {
         box.lines = broken_title(title.empty() || title == number ? number : number + " " + title, request_.text);
         if (box.lines.empty()) box.lines.emplace_back("?");
         const std::size_t count = out.units.size();
-        box.lines.push_back(fmt::format("{} {}", count, count == 1 ? "unit" : "units"));
+        const DrawingWords& words = request_.options.words;
+        box.lines.push_back(count == 1 ? words.one_unit : with_number(words.units, count));
         box.title = fmt::format("{} {}: {} {}", number, title, count, count == 1 ? "unit" : "units");
     }
 
@@ -389,7 +390,8 @@ class GraphMaker {
     void describe() {
         const DrawingOptions& options = request_.options;
         const std::string& name = record_.settings.name;
-        graph_.title = one_line(!options.title.empty() ? options.title : name.empty() ? "Harris matrix" : name);
+        graph_.words = options.words;
+        graph_.title = one_line(!options.title.empty() ? options.title : name.empty() ? options.words.untitled : name);
         graph_.subtitle = one_line(options.subtitle);
         std::size_t units = 0;
         for (const GraphBox& b : graph_.boxes) units += b.units.size();

@@ -42,6 +42,7 @@ struct DrawnGraph {
     std::string title;
     std::string subtitle;
     std::string description;
+    DrawingWords words;
     std::vector<GraphBox> boxes;
     std::vector<GraphOrder> orders; ///< sorted by later, then earlier
     std::vector<Order> contemporaries;

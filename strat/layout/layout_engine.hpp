@@ -9,6 +9,7 @@
 #include "core/base/progress.hpp"
 #include "core/model/record.hpp"
 #include "strat/layout/drawing.hpp"
+#include "strat/layout/drawing_words.hpp"
 #include "strat/layout/text_measure.hpp"
 #include "strat/matrix/harris_matrix.hpp"
 
@@ -52,6 +53,7 @@ struct DrawingOptions {
     Labels labels = Labels::Numbers;
     std::vector<UnitMark> marks;
     std::vector<OrderMark> order_marks;
+    DrawingWords words;
     std::string unit_link; ///< where a unit leads to, as `units/{unit}.html`, see unit_link_of(); empty: no links
 };
 

@@ -14,6 +14,7 @@
 #include "app/records/relation_entry.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/language.hpp"
 #include "gui/widgets/matrix/matrix_canvas.hpp"
 #include "gui/widgets/matrix/matrix_ink.hpp"
 #include "gui/widgets/theme.hpp"
@@ -27,6 +28,7 @@ MatrixView::MatrixView(Models& models)
       part_(new QComboBox), fold_(new QComboBox), titles_(new QToolButton), evidence_(new QToolButton),
       count_(new QLabel) {
     setObjectName(QStringLiteral("matrix"));
+    matrix_.set_language(chosen_language().toStdString());
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -49,3 +49,29 @@ TEST_CASE("A line end in a unit's number is drawn as a blank, a turning sign as 
     CHECK(drawing.boxes.front().lines.front() == "1 2");
     CHECK(drawing.boxes.back().lines.front() == "A\uFFFD77");
 }
+
+TEST_CASE("All words of the drawing's own come from the table") {
+    using model::UnitKind;
+    auto builder = a_matrix();
+    builder.above("1", "2").above("2", "1").above("3", "3").above("1", "4").relate("4", model::RelationKind::Covers,
+                                                                                   "5", model::Certainty::Uncertain);
+    builder.kind("1", UnitKind::Cut).kind("2", UnitKind::Deposit).unit("6");
+    builder.raw().settings.name = "";
+    DrawingOptions options;
+    DrawingWords& words = options.words;
+    for (std::string* word :
+         {&words.mentioned_only, &words.with_finds, &words.inner_cycle, &words.uncertain, &words.through,
+          &words.in_cycle, &words.against_bands, &words.untitled, &words.isolated}) {
+        *word = "~" + *word;
+    }
+    for (std::string& word : words.shapes) word = "~" + word;
+    const MatrixDrawing drawing = test::drawing_of(builder.record(), options);
+    REQUIRE(drawing.texts.size() >= 6);
+    for (const DrawnText& t : drawing.texts) CHECK_THAT(t.text, Catch::StartsWith("~"));
+    // A table half translated would be seen by nobody who tests in English.
+    const DrawingWords english;
+    const DrawingWords german = words_in("de");
+    for (std::size_t i = 0; i < english.shapes.size(); ++i) CHECK(german.shapes[i] != english.shapes[i]);
+    CHECK(german.isolated.find("{}") != std::string::npos);
+    CHECK(german.units.find("{}") != std::string::npos);
+}

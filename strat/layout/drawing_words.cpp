@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "strat/layout/drawing_words.hpp"
+
+#include "core/base/text.hpp"
+
+namespace planum::strat {
+
+DrawingWords german_words() {
+    DrawingWords words;
+    words.shapes = {"Ablagerung", "Eingriff",    "Struktur", "Grenzfläche",       "Komplex",
+                    "Skelett",    "Anstehendes", "Leerraum", "Art nicht erfasst", "zusammengefasst"};
+    words.marks = {"", "neu", "entfallen", "geändert", "Problem"};
+    words.marked_orders = {"", "neue Abfolge", "entfallene Abfolge", "geänderte Abfolge", ""};
+    words.mentioned_only = "nur in Beziehungen genannt";
+    words.with_finds = "mit Funden";
+    words.inner_cycle = "Widerspruch, den keine Linie zeigt";
+    words.uncertain = "unsicher";
+    words.through = "über nicht gezeichnete Einheiten";
+    words.in_cycle = "in einem Kreis";
+    words.against_bands = "gegen die Phasen";
+    words.isolated = "Ohne Beziehung ({})";
+    words.untitled = "Harris-Matrix";
+    words.one_unit = "1 Einheit";
+    words.units = "{} Einheiten";
+    return words;
+}
+
+DrawingWords words_in(std::string_view language) { return language == "de" ? german_words() : DrawingWords{}; }
+
+std::string with_number(std::string_view word, std::size_t number) {
+    return text::replace_all(word, "{}", std::to_string(number));
+}
+
+} // namespace planum::strat

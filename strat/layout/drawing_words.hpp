@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "strat/layout/drawing.hpp"
+
+namespace planum::strat {
+
+/// The words of a drawing's own in its key and headings, UTF-8; what is made of the record is not among them. English
+/// unless set otherwise.
+struct DrawingWords {
+    /// By BoxShape.
+    std::array<std::string, 10> shapes = {"deposit",  "cut",     "structure", "interface",         "feature",
+                                          "skeleton", "natural", "void",      "kind not recorded", "folded"};
+    /// By Mark; the first is not shown.
+    std::array<std::string, 5> marks = {"", "added", "removed", "changed", "problem"};
+    std::array<std::string, 5> marked_orders = {"", "added order", "removed order", "changed order", ""};
+    std::string mentioned_only = "named in relations only";
+    std::string with_finds = "with finds";
+    std::string inner_cycle = "contradiction that no line shows";
+    std::string uncertain = "uncertain";
+    std::string through = "by way of units not drawn";
+    std::string in_cycle = "in a cycle";
+    std::string against_bands = "against the phases";
+    std::string isolated = "In no relation ({})"; ///< `{}`: how many boxes
+    std::string untitled = "Harris matrix";       ///< heading where the site has no name
+    std::string one_unit = "1 unit";              ///< in a folded box
+    std::string units = "{} units";
+};
+
+[[nodiscard]] DrawingWords german_words();
+
+/// Words of a language by its code (`en`, `de`); those of others are English.
+[[nodiscard]] DrawingWords words_in(std::string_view language);
+
+/// A word with the number in the place of its `{}`.
+[[nodiscard]] std::string with_number(std::string_view word, std::size_t number);
+
+} // namespace planum::strat
