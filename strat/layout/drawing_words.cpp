@@ -18,7 +18,7 @@ DrawingWords german_words() {
     words.through = "über nicht gezeichnete Einheiten";
     words.in_cycle = "in einem Kreis";
     words.against_bands = "gegen die Phasen";
-    words.isolated = "Ohne Beziehung ({})";
+    words.isolated = "Ohne gezeichnete Ordnung ({})";
     words.untitled = "Harris-Matrix";
     words.one_unit = "1 Einheit";
     words.units = "{} Einheiten";
