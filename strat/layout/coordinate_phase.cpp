@@ -11,6 +11,7 @@
 #include "strat/layout/fan_centring.hpp"
 #include "strat/layout/level_neighbours.hpp"
 #include "strat/layout/network_simplex.hpp"
+#include "strat/layout/step_removal.hpp"
 #include "strat/matrix/adjacency.hpp"
 
 namespace planum::strat {
@@ -47,11 +48,7 @@ class Placer : public LevelNeighbours {
         find_sides(x);
         settle(x);
         centre_over_fans(*this, x);
-        constexpr int kRounds = 3; // a run that goes makes room for another
-        for (int round = 0; round < kRounds; ++round) {
-            take_out_steps(x);
-            straighten_runs(x);
-        }
+        take_out_steps(*this, x);
         return x;
     }
 
@@ -167,25 +164,6 @@ class Placer : public LevelNeighbours {
         return lines == 1 ? 2 : 1;
     }
 
-    [[nodiscard]] std::vector<std::vector<std::uint32_t>> straight_runs(const std::vector<double>& x) const {
-        std::vector<std::vector<std::uint32_t>> runs;
-        for (std::size_t l = 0; l < g_.layers.size(); ++l) {
-            for (const std::uint32_t v : g_.layers[l]) {
-                const std::uint32_t above = line_above(v);
-                if (above != kNone && x[above] == x[v] && down_.row(above).size() == 1)
-                    continue; // in the run of `above`
-                runs.push_back({v});
-                for (std::uint32_t w = v; extents_[w].is_line && down_.row(w).size() == 1;) {
-                    const std::uint32_t below = down_.row(w)[0];
-                    if (line_above(below) != w || x[below] != x[w]) break;
-                    runs.back().push_back(below);
-                    w = below;
-                }
-            }
-        }
-        return runs;
-    }
-
     struct Pull {
         double x;
         double weight;
@@ -245,101 +223,6 @@ class Placer : public LevelNeighbours {
         if (std::abs(target - now) < 0.01) return false;
         for (const std::uint32_t v : block) x[v] = target;
         return true;
-    }
-
-    // Long lines that step aside by a hair's breadth, to keep the full distance from a box, look like a slip of the
-    // pen: there the lines above or below the step go on straight, a little nearer to what they pass.
-    void take_out_steps(std::vector<double>& x) {
-        constexpr double kHair = 14.0;
-        relief_ = style::kLineGap - style::kLeastLineGap;
-        for (std::size_t l = 1; l < g_.layers.size(); ++l) {
-            for (const std::uint32_t v : g_.layers[l]) {
-                const std::uint32_t u = line_above(v);
-                if (u == kNone || x[u] == x[v] || std::abs(x[u] - x[v]) > kHair) continue;
-                if (!shift_run(run_from(v, x, down_), x[u], down_, x)) shift_run(run_from(u, x, up_), x[v], up_, x);
-            }
-        }
-        relief_ = 0.0;
-    }
-
-    // Line nodes in one vertical, from a step on.
-    [[nodiscard]] std::vector<std::uint32_t> run_from(std::uint32_t first, const std::vector<double>& x,
-                                                      const Adjacency& onwards) const {
-        std::vector<std::uint32_t> run = {first};
-        while (onwards.row(run.back()).size() == 1) {
-            const std::uint32_t next = onwards.row(run.back())[0];
-            if (!extents_[next].is_line || x[next] != x[first]) break;
-            run.push_back(next);
-        }
-        return run;
-    }
-
-    // Moves a run if there is room and its other end gets no step for it.
-    bool shift_run(const std::vector<std::uint32_t>& run, double to, const Adjacency& onwards,
-                   std::vector<double>& x) const {
-        if (!fits(run, to, x)) return false;
-        for (const std::uint32_t w : onwards.row(run.back())) {
-            const double reach = extents_[w].is_line ? 0.0 : extents_[w].width / 2.0 - style::kPortMargin;
-            const bool faced = std::abs(x[w] - x[run.back()]) <= reach;
-            if (faced && std::abs(x[w] - to) > reach) return false;
-        }
-        for (const std::uint32_t v : run) x[v] = to;
-        return true;
-    }
-
-    // Where lines may leave or enter a node without a bend.
-    struct Facing {
-        double least = 0.0;
-        double most = 0.0;
-
-        [[nodiscard]] bool holds(double at) const noexcept { return at >= least && at <= most; }
-    };
-
-    [[nodiscard]] std::vector<Facing> facing(std::uint32_t end, const Adjacency& onwards,
-                                             const std::vector<double>& x) const {
-        std::vector<Facing> all;
-        for (const std::uint32_t w : onwards.row(end)) {
-            const double reach = extents_[w].is_line
-                                     ? 0.0
-                                     : std::max(0.0, std::floor(extents_[w].width - 2.0 * style::kPortMargin)) / 2.0;
-            all.push_back({x[w] - reach, x[w] + reach});
-        }
-        return all;
-    }
-
-    // Lines run straight into boxes anywhere along their edges, not only in the middle: last, each straight piece goes
-    // to the nearest place with the fewest bends at its ends that the level has room for.
-    void straighten_runs(std::vector<double>& x) {
-        relief_ = style::kLineGap - style::kLeastLineGap;
-        for (const std::vector<std::uint32_t>& run : straight_runs(x)) {
-            if (!extents_[run.front()].is_line) continue;
-            std::vector<Facing> ends = facing(run.front(), up_, x);
-            const std::vector<Facing> below = facing(run.back(), down_, x);
-            ends.insert(ends.end(), below.begin(), below.end());
-            const auto straight_at = [&](double at) {
-                return std::count_if(ends.begin(), ends.end(), [&](const Facing& f) { return f.holds(at); });
-            };
-            const double now = x[run.front()];
-            double best = now;
-            std::ptrdiff_t most = straight_at(now);
-            for (const Facing& f : ends) {
-                for (const double to : {f.least, f.most}) {
-                    const std::ptrdiff_t straight = straight_at(to);
-                    const bool better =
-                        straight > most || (straight == most && std::abs(to - now) < std::abs(best - now));
-                    if (!better || !fits(run, to, x)) continue;
-                    best = to;
-                    most = straight;
-                }
-            }
-            for (const std::uint32_t v : run) x[v] = best;
-        }
-        relief_ = 0.0;
-    }
-
-    [[nodiscard]] bool fits(const std::vector<std::uint32_t>& run, double to, const std::vector<double>& x) const {
-        return std::all_of(run.begin(), run.end(),
-                           [&](std::uint32_t v) { return to >= bound(v, x, true) && to <= bound(v, x, false); });
     }
 };
 

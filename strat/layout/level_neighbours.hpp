@@ -50,6 +50,26 @@ class LevelNeighbours {
         return kNone;
     }
 
+    // Boxes, and line nodes of one line in one vertical.
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> straight_runs(const std::vector<double>& x) const {
+        std::vector<std::vector<std::uint32_t>> runs;
+        for (std::size_t l = 0; l < g_.layers.size(); ++l) {
+            for (const std::uint32_t v : g_.layers[l]) {
+                const std::uint32_t above = line_above(v);
+                if (above != kNone && x[above] == x[v] && down_.row(above).size() == 1)
+                    continue; // in the run of `above`
+                runs.push_back({v});
+                for (std::uint32_t w = v; extents_[w].is_line && down_.row(w).size() == 1;) {
+                    const std::uint32_t below = down_.row(w)[0];
+                    if (line_above(below) != w || x[below] != x[w]) break;
+                    runs.back().push_back(below);
+                    w = below;
+                }
+            }
+        }
+        return runs;
+    }
+
     [[nodiscard]] double separation(std::uint32_t a, std::uint32_t b) const {
         const double room = (extents_[a].width + extents_[b].width) / 2.0 + std::min(extents_[a].gap, extents_[b].gap) -
                             (extents_[a].is_line || extents_[b].is_line ? relief_ : 0.0);
