@@ -199,6 +199,14 @@ void paint_text(QPainter& painter, const PaintedText& text) {
     painter.restore();
 }
 
+void paint_sample(QPainter& painter, const LegendSample& sample) {
+    if (sample.kind == LegendSample::Kind::Box) {
+        paint_shape(painter, sample.box);
+    } else {
+        paint_line(painter, sample.line);
+    }
+}
+
 void paint_drawing(QPainter& painter, const MatrixDrawing& drawing) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);
@@ -212,13 +220,7 @@ void paint_drawing(QPainter& painter, const MatrixDrawing& drawing) {
         paint_shape(painter, box);
         paint_label(painter, box);
     }
-    for (const LegendSample& sample : drawing.legend) {
-        if (sample.kind == LegendSample::Kind::Box) {
-            paint_shape(painter, sample.box);
-        } else {
-            paint_line(painter, sample.line);
-        }
-    }
+    for (const LegendSample& sample : drawing.legend) paint_sample(painter, sample);
     for (const DrawnText& t : drawing.texts) paint_words(painter, t);
 }
 

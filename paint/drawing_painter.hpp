@@ -19,6 +19,9 @@ inline constexpr int kFontPixels = 100;
 /// Needs ensure_qt_runtime().
 void paint_drawing(QPainter& painter, const strat::MatrixDrawing& drawing);
 
+/// A sample of the legend, where it stands in the drawing.
+void paint_sample(QPainter& painter, const strat::LegendSample& sample);
+
 /// One line of text with its base line at `at`; `width` > 0 squeezes or stretches it to that width [pt].
 struct PaintedText {
     std::string_view text;

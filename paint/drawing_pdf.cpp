@@ -16,6 +16,7 @@
 #include "core/base/text.hpp"
 #include "paint/drawing_painter.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/legend_strip.hpp"
 #include "paint/pdf_bytes.hpp"
 #include "paint/qt_runtime.hpp"
 #include "strat/layout/drawing_colours.hpp"
@@ -36,11 +37,8 @@ class PdfMaker {
         : drawing_(drawing), options_(options), progress_(progress), plan_(plan_poster(drawing, options.poster)) {
         poster_ = options.poster.paging == Paging::Poster && options.poster.paper != Paper::Fitted;
         index_ = poster_ ? sheet_index(drawing, plan_) : std::vector<SheetEntry>{};
-        widest_entry_ = 60.0;
-        for (const SheetEntry& e : index_) {
-            widest_entry_ = std::max(widest_entry_,
-                                     measure_.width(e.unit + "  " + e.sheet, kIndexText, FontWeight::Regular) + 24.0);
-        }
+        plan_index();
+        if (poster_) legend_ = lay_legend(drawing, plan_.page_width - 2.0 * options.poster.margin);
     }
 
     std::string make() {
@@ -79,8 +77,26 @@ class PdfMaker {
     static constexpr double kIndexText = 8.0;
     static constexpr double kIndexLine = 11.0;
     static constexpr double kHeading = 24.0;
+    static constexpr double kIndexGutter = 20.0; // between columns
+    static constexpr double kLeader = 14.0;      // from the longest name to the sheet
     static constexpr double kIndexGap = 18.0; // between map and index on one page
     static constexpr Colour kSheetInk = 0x1f5fa8;
+
+    // Columns as wide as their entries need, but a few long names must not make all the others' columns wide: those
+    // are shortened.
+    void plan_index() {
+        if (index_.empty()) return;
+        std::vector<double> widths;
+        for (const SheetEntry& e : index_) {
+            sheet_width_ = std::max(sheet_width_, measure_.width(e.sheet, kIndexText, FontWeight::Bold));
+            widths.push_back(measure_.width(e.unit, kIndexText, FontWeight::Regular));
+        }
+        std::sort(widths.begin(), widths.end());
+        const double most_fit = widths[(widths.size() - 1) * 9 / 10];
+        const double widest = plan_.content.width - kIndexGutter - kLeader - sheet_width_;
+        name_width_ = std::min(std::max({30.0, widths.back() <= 2.0 * most_fit ? widths.back() : most_fit}), widest);
+        column_width_ = name_width_ + kLeader + sheet_width_ + kIndexGutter;
+    }
 
     void next_page(QPdfWriter& writer) {
         if (page_ > 0) writer.newPage();
@@ -165,7 +181,9 @@ class PdfMaker {
         const double x1 = plan_.page_width - options_.poster.margin;
         const double y = plan_.page_height - options_.poster.margin;
         painter.setPen(QPen(QColor::fromRgb(kBandEdge), 0.6));
-        painter.drawLine(QPointF(x0, y - kTitleBlock + 14.0), QPointF(x1, y - kTitleBlock + 14.0));
+        const double top = y - plan_.title_block + 14.0;
+        painter.drawLine(QPointF(x0, top), QPointF(x1, top));
+        paint_legend(painter, drawing_, legend_, {x0, top + 4.0});
         std::string left = options_.site;
         if (!drawing_.title.empty() && drawing_.title != options_.site)
             left += (left.empty() ? "" : " · ") + drawing_.title;
@@ -233,7 +251,7 @@ class PdfMaker {
     }
 
     [[nodiscard]] std::size_t index_columns() const {
-        return std::max<std::size_t>(1, static_cast<std::size_t>(plan_.content.width / widest_entry_));
+        return std::max<std::size_t>(1, static_cast<std::size_t>((plan_.content.width + kIndexGutter) / column_width_));
     }
 
     [[nodiscard]] std::size_t index_rows() const {
@@ -270,18 +288,25 @@ class PdfMaker {
         paint_heading(painter, "Unit and sheet", top);
         const std::size_t rows = (end - first + index_columns() - 1) / index_columns();
         for (std::size_t i = first; i < end; ++i) {
-            const double x = plan_.content.x + static_cast<double>((i - first) / rows) * widest_entry_;
+            const double x = plan_.content.x + static_cast<double>((i - first) / rows) * column_width_;
             const double y = top + kHeading + 6.0 + static_cast<double>((i - first) % rows) * kIndexLine;
-            paint_text(painter,
-                       {index_[i].unit, {x, y}, kIndexText, 0.0, TextAnchor::Start, FontWeight::Regular, kInk});
-            paint_text(painter, {index_[i].sheet,
-                                 {x + widest_entry_ - 18.0, y},
-                                 kIndexText,
-                                 0.0,
-                                 TextAnchor::End,
-                                 FontWeight::Bold,
-                                 kInk});
+            paint_entry(painter, index_[i], {x, y});
         }
+    }
+
+    // Name, dots that lead the eye, sheet.
+    void paint_entry(QPainter& painter, const SheetEntry& entry, DrawPoint at) {
+        constexpr TextLook kLook{kIndexText, FontWeight::Regular};
+        const std::string name = shortened_inside(entry.unit, name_width_, kLook, measure_);
+        const double right = at.x + name_width_ + kLeader + sheet_width_;
+        const double from = at.x + measure_.width(name, kLook.size, kLook.weight) + 3.0;
+        const double to = right - measure_.width(entry.sheet, kIndexText, FontWeight::Bold) - 3.0;
+        QPen dots(QColor::fromRgb(kFaintInk), 0.5);
+        dots.setDashPattern({1.0, 4.0});
+        painter.setPen(dots);
+        if (to > from) painter.drawLine(QPointF(to, at.y - 0.4), QPointF(from, at.y - 0.4));
+        paint_text(painter, {name, at, kIndexText, 0.0, TextAnchor::Start, FontWeight::Regular, kInk});
+        paint_text(painter, {entry.sheet, {right, at.y}, kIndexText, 0.0, TextAnchor::End, FontWeight::Bold, kInk});
     }
 
     const MatrixDrawing& drawing_;
@@ -290,7 +315,10 @@ class PdfMaker {
     PosterPlan plan_;
     FontTextMeasure measure_;
     std::vector<SheetEntry> index_;
-    double widest_entry_ = 0.0; // column of the index [pt]
+    double name_width_ = 0.0; // in a column of the index [pt]
+    double sheet_width_ = 0.0;
+    double column_width_ = 60.0; // gutter included
+    LegendStrip legend_;
     bool poster_ = false;
     std::size_t page_ = 0;
     std::size_t pages_ = 0;

@@ -9,6 +9,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "paint/legend_strip.hpp"
 
 namespace planum::paint {
 
@@ -39,8 +40,8 @@ Size paper_size(Paper paper) {
     return {};
 }
 
-DrawRect content_of(Size page, double margin) {
-    return {margin, margin, page.width - 2.0 * margin, page.height - 2.0 * margin - kTitleBlock};
+DrawRect content_of(Size page, double margin, double title_block) {
+    return {margin, margin, page.width - 2.0 * margin, page.height - 2.0 * margin - title_block};
 }
 
 bool meets(const DrawRect& a, const DrawRect& b) {
@@ -76,7 +77,8 @@ PosterPlan plan_one_page(const strat::MatrixDrawing& drawing, const PosterOption
     PosterPlan plan;
     plan.page_width = page.width;
     plan.page_height = page.height;
-    plan.content = content_of(page, options.margin);
+    plan.title_block = kTitleBlock;
+    plan.content = content_of(page, options.margin, plan.title_block);
     plan.scale = std::min({1.0, plan.content.width / drawing.width, plan.content.height / drawing.height});
     plan.rows = 1;
     plan.columns = 1;
@@ -89,7 +91,8 @@ PosterPlan plan_tiles(const strat::MatrixDrawing& drawing, const PosterOptions& 
     plan.page_width = page.width;
     plan.page_height = page.height;
     plan.scale = options.scale;
-    plan.content = content_of(page, options.margin);
+    plan.title_block = kTitleBlock + lay_legend(drawing, page.width - 2.0 * options.margin).height;
+    plan.content = content_of(page, options.margin, plan.title_block);
     const double width = plan.content.width / options.scale;
     const double height = plan.content.height / options.scale;
     const double overlap = options.overlap / options.scale;

@@ -43,13 +43,14 @@ struct PosterPlan {
     double page_width = 0.0; ///< [pt]
     double page_height = 0.0;
     double scale = 1.0;      ///< paper points per drawing point
+    double title_block = 0.0; ///< its height at the foot of each page [pt]; a poster's has the legend in it
     strat::DrawRect content; ///< on the page [pt]: where the part is painted
     std::size_t rows = 0;
     std::size_t columns = 0;
     std::vector<Sheet> sheets; ///< row by row; sheets that would be empty are left out
 };
 
-/// Height of the title block at the foot of each page [pt].
+/// Height of the title block at the foot of each page, without a legend [pt].
 inline constexpr double kTitleBlock = 34.0;
 
 /// Chooses the orientation that needs fewer sheets (OnePage: less shrinking). Throws BadInput when the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <set>
@@ -9,6 +10,7 @@
 #include "paint/drawing_pdf.hpp"
 #include "paint/drawing_png.hpp"
 #include "paint/font_measure.hpp"
+#include "paint/legend_strip.hpp"
 #include "paint/missing_signs.hpp"
 #include "paint/poster_plan.hpp"
 #include "paint/report_pdf.hpp"
@@ -140,6 +142,52 @@ TEST_CASE("A short index stands on the page of the map") {
     options.poster.paging = Paging::Poster;
     const std::size_t sheets = plan_poster(drawing, options.poster).sheets.size();
     CHECK(count(render_pdf(drawing, options, Progress::none()), "/Type /Page\n") == sheets + 1);
+}
+
+TEST_CASE("One long name costs the other units no room in the index") {
+    MatrixDrawing drawing = boxes_in_rows(12, 5);
+    PdfOptions options;
+    options.poster.paper = Paper::A4;
+    options.poster.paging = Paging::Poster;
+    const std::string before = render_pdf(drawing, options, Progress::none());
+    drawing.boxes.back().names = {std::string(300, 'W')};
+    const std::string after = render_pdf(drawing, options, Progress::none());
+    CHECK(count(before, "/Type /Page\n") == count(after, "/Type /Page\n"));
+}
+
+TEST_CASE("Each sheet of a poster has room for the legend at its foot") {
+    MatrixDrawing drawing = boxes_in_rows(12, 5);
+    PosterOptions options;
+    options.paper = Paper::A4;
+    options.paging = Paging::Poster;
+    const PosterPlan bare = plan_poster(drawing, options);
+    CHECK(bare.title_block == kTitleBlock);
+    for (int i = 0; i < 12; ++i) {
+        DrawnText words;
+        words.role = "legend";
+        words.text = "by way of units not drawn";
+        words.width = 120.0;
+        drawing.texts.push_back(words);
+        drawing.legend.emplace_back();
+    }
+    const PosterPlan plan = plan_poster(drawing, options);
+    const LegendStrip strip = lay_legend(drawing, plan.content.width);
+    REQUIRE(strip.entries.size() == 12);
+    CHECK(plan.title_block == kTitleBlock + strip.height);
+    CHECK(plan.content.height < bare.content.height);
+    for (const LegendStrip::Entry& a : strip.entries) {
+        CHECK(a.at.x + 19.5 + 4.0 + 120.0 * 0.75 <= plan.content.width);
+        for (const LegendStrip::Entry& b : strip.entries) {
+            if (&a != &b && a.at.y == b.at.y) CHECK(std::abs(a.at.x - b.at.x) > 19.5 + 120.0 * 0.75);
+        }
+    }
+}
+
+TEST_CASE("Letters that no font of ours has are measured as they are in fonts that have them") {
+    const FontTextMeasure measure;
+    CHECK(measure.width("土層", 9.0, FontWeight::Regular) == Approx(18.0));
+    CHECK(measure.width("12 土", 9.0, FontWeight::Regular) ==
+          Approx(9.0 + measure.width("12 ", 9.0, FontWeight::Regular)));
 }
 
 TEST_CASE("A printed report has pages of words, then the matrix, and repeats itself") {
