@@ -89,6 +89,19 @@ std::string drawn_as(MatrixKind kind, const strat::MatrixDrawing& drawing, const
     return paint::render_pdf(drawing, pdf, progress);
 }
 
+// A wide matrix on one small sheet is a grey strip.
+void warn_of_small_print(const Context& context, const MatrixOptions& options, const strat::MatrixDrawing& drawing,
+                         const paint::PdfOptions& pdf) {
+    constexpr double kLegible = 5.0; // [pt]
+    if (pdf.poster.paging == paint::Paging::Poster || drawing.boxes.empty()) return;
+    const double size = drawing.boxes.front().text_size * paint::plan_poster(drawing, pdf.poster).scale;
+    if (size >= kLegible) return;
+    const std::string paper = "A" + options.paper.substr(1); // as paper is called, however it was typed
+    context.say(fmt::format("{}: on one sheet of {} the numbers are {:.1f} pt high; larger paper or --paging poster makes "
+                            "them legible",
+                            options.output, paper, size));
+}
+
 void run_draw(const Context& context, const MatrixOptions& options, MatrixKind kind) {
     const bool to_stdout = options.output == "-";
     if (to_stdout && context.json) {
@@ -117,6 +130,7 @@ void run_draw(const Context& context, const MatrixOptions& options, MatrixKind k
         const std::string remark = paint::missing_signs_remark(options.output, paint::missing_signs(drawing));
         if (!remark.empty()) context.say(remark);
     }
+    if (kind == MatrixKind::Pdf) warn_of_small_print(context, options, drawing, pdf);
     if (!to_stdout) {
         context.say(
             fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));

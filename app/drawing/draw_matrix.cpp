@@ -29,6 +29,21 @@ strat::Fold fold_of(const std::string& word) {
     throw Error(ErrorCode::Usage, "fold: " + word + " is none of phases, periods, groups");
 }
 
+// Asked for what the site does not have, a drawing would silently be the ordinary one.
+void refuse_what_is_not_there(const model::Record& record, const strat::DrawingOptions& options) {
+    const auto refuse = [](const char* option, const char* what) {
+        throw Error(ErrorCode::NotFound, fmt::format("{}: the site has no {} yet", option, what));
+    };
+    const bool phases = !record.phases.empty();
+    const bool periods = !record.periods.empty();
+    if (options.fold == strat::Fold::Phases && !phases) refuse("fold", "phases");
+    if (options.fold == strat::Fold::Periods && !periods) refuse("fold", "periods");
+    if (options.fold == strat::Fold::Groups && record.groups.empty()) refuse("fold", "groups");
+    if (options.bands == strat::Bands::Phases && !phases) refuse("bands", "phases");
+    if (options.bands == strat::Bands::Periods && !periods) refuse("bands", "periods");
+    if (options.frames == strat::Frames::Groups && record.groups.empty()) refuse("frames", "groups");
+}
+
 strat::Bands bands_of(const std::string& word) {
     if (word.empty()) return strat::Bands::Automatic;
     if (word == "none") return strat::Bands::None;
@@ -181,6 +196,7 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     if (!request.only.empty()) options.subtitle = request.only_what;
     if (request.problems_only) keep_problems(project, request, options, progress);
     model::Record drawn = interpreted(project.record(), request.interpretation);
+    refuse_what_is_not_there(drawn, options);
     if (!request.since.empty() && !request.compared_with.empty()) {
         throw Error(ErrorCode::Usage, "compare: two days or two interpretations, not both at once");
     }

@@ -52,14 +52,19 @@ std::vector<std::string> broken_title(const std::string& title, const TextMeasur
 }
 
 std::vector<std::string> joined_names(const std::vector<std::string>& names, const TextMeasure& measure) {
-    std::vector<std::string> lines = {names.front()};
-    for (std::size_t i = 1; i < names.size(); ++i) {
-        const std::string longer = lines.back() + " = " + names[i];
-        if (measure.width(longer, style::kTextSize, FontWeight::Regular) <= style::kBoxMaxLabel) {
-            lines.back() = longer;
-        } else {
-            lines.push_back("= " + names[i]);
+    constexpr TextLook kLook{style::kTextSize, FontWeight::Regular};
+    const auto width = [&](const std::string& words) { return measure.width(words, kLook.size, kLook.weight); };
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string next = (i == 0 ? "" : "= ") + names[i];
+        if (i > 0 && width(lines.back() + " " + next) <= style::kBoxMaxLabel) {
+            lines.back() += " " + next;
+            continue;
         }
+        // A name is never cut off; a very long one makes a box three times as wide as high.
+        const double whole = width(next);
+        const double widest = std::max(style::kBoxMaxLabel, std::sqrt(whole * style::kLineHeight * 3.0));
+        for (std::string& line : broken_anywhere(next, widest, kLook, measure)) lines.push_back(std::move(line));
     }
     return lines;
 }

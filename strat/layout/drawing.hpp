@@ -63,7 +63,7 @@ struct DrawnBox {
     bool inner_cycle = false; ///< a contradiction inside the box, which no line can show: gets a mark
     bool has_finds = false;
     bool mentioned_only = false; ///< named in relations, no sheet of its own
-    bool isolated = false;       ///< in no order
+    bool isolated = false;       ///< in no order, and contemporary with none
 };
 
 /// One order, drawn from the lower edge of the later box to the upper edge of the earlier one. Lines of

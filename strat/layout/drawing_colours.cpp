@@ -70,6 +70,18 @@ Colour colour_of(Mark mark) noexcept {
     return kLineInk;
 }
 
+// Added, removed and changed must differ without colour, too.
+Dash dash_of(Mark mark) noexcept {
+    switch (mark) {
+    case Mark::Removed: return Dash::Dotted;
+    case Mark::Changed: return Dash::LongDashed;
+    case Mark::None:
+    case Mark::Added:
+    case Mark::Problem: break;
+    }
+    return Dash::Solid;
+}
+
 } // namespace
 
 DashPattern pattern_of(Dash dash) noexcept {
@@ -77,6 +89,7 @@ DashPattern pattern_of(Dash dash) noexcept {
     case Dash::Solid: return {};
     case Dash::Dashed: return {4.0, 2.5};
     case Dash::Dotted: return {1.0, 2.0};
+    case Dash::LongDashed: return {9.0, 2.0};
     }
     return {};
 }
@@ -88,7 +101,7 @@ BoxStyle style_of(const DrawnBox& box) noexcept {
     if (box.mark != Mark::None) {
         style.stroke.colour = colour_of(box.mark);
         style.stroke.width = 1.6;
-        if (box.mark == Mark::Removed) style.stroke.dash = Dash::Dotted;
+        if (dash_of(box.mark) != Dash::Solid) style.stroke.dash = dash_of(box.mark);
     }
     if (box.in_cycle) {
         style.stroke.colour = kAlarm;
@@ -114,6 +127,7 @@ StrokeStyle style_of(const DrawnLine& line) noexcept {
     if (line.mark != Mark::None) {
         style.colour = colour_of(line.mark);
         style.width = 1.4;
+        style.dash = dash_of(line.mark);
     }
     if (line.in_cycle || (line.upwards && line.mark == Mark::None)) {
         style.colour = line.in_cycle ? kAlarm : kAgainst;

@@ -11,7 +11,7 @@ namespace planum::strat {
 /// A colour as 0xRRGGBB; opaque.
 using Colour = std::uint32_t;
 
-enum class Dash { Solid, Dashed, Dotted };
+enum class Dash { Solid, Dashed, Dotted, LongDashed };
 
 struct StrokeStyle {
     Colour colour = 0x3b3a36;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "strat/layout/drawing_words.hpp"
 
-#include "core/base/text.hpp"
-
 namespace planum::strat {
 
 DrawingWords german_words() {
@@ -22,13 +20,17 @@ DrawingWords german_words() {
     words.untitled = "Harris-Matrix";
     words.one_unit = "1 Einheit";
     words.units = "{} Einheiten";
+    words.some_units = "{} von {} Einheiten";
     return words;
 }
 
 DrawingWords words_in(std::string_view language) { return language == "de" ? german_words() : DrawingWords{}; }
 
 std::string with_number(std::string_view word, std::size_t number) {
-    return text::replace_all(word, "{}", std::to_string(number));
+    std::string filled(word);
+    const std::size_t at = filled.find("{}");
+    if (at != std::string::npos) filled.replace(at, 2, std::to_string(number));
+    return filled;
 }
 
 } // namespace planum::strat

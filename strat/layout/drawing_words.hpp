@@ -29,6 +29,7 @@ struct DrawingWords {
     std::string untitled = "Harris matrix";       ///< heading where the site has no name
     std::string one_unit = "1 unit";              ///< in a folded box
     std::string units = "{} units";
+    std::string some_units = "{} of {} units"; ///< where the drawing leaves out the others
 };
 
 [[nodiscard]] DrawingWords german_words();
@@ -36,7 +37,7 @@ struct DrawingWords {
 /// Words of a language by its code (`en`, `de`); those of others are English.
 [[nodiscard]] DrawingWords words_in(std::string_view language);
 
-/// A word with the number in the place of its `{}`.
+/// A word with the number in the place of its first `{}`.
 [[nodiscard]] std::string with_number(std::string_view word, std::size_t number);
 
 } // namespace planum::strat

@@ -32,7 +32,8 @@ std::string heading_of(const std::string& number, const std::string& title) {
 class GraphMaker {
   public:
     explicit GraphMaker(const LayoutRequest& request)
-        : request_(request), record_(request.record), index_(record_), selection_(select(request)) {}
+        : request_(request), record_(request.record), index_(record_), selection_(select(request)),
+          fold_keys_(fold_keys(request.record, request.options.fold)) {}
 
     DrawnGraph make() {
         collect_units();
@@ -56,6 +57,12 @@ class GraphMaker {
             const std::uint32_t box = selection_.box_of[node];
             if (box == Selection::kLeftOut) continue;
             for (const UnitIndex unit : request_.matrix.members(node)) units_[box].push_back(unit);
+        }
+        for (std::size_t b = 0; b < units_.size(); ++b) {
+            if (selection_.folded[b] >= 0) continue;
+            std::stable_sort(units_[b].begin(), units_[b].end(), [&](UnitIndex u, UnitIndex v) {
+                return text::natural_order(index_.name(u), index_.name(v)) < 0;
+            });
         }
         for (const model::Find& find : record_.finds) with_finds_.insert(find.unit);
         for (const UnitMark& mark : request_.options.marks) unit_marks_.emplace(mark.unit, mark.mark);
@@ -86,7 +93,7 @@ class GraphMaker {
             if (mark != unit_marks_.end()) box.mark = std::max(box.mark, mark->second);
         }
         if (selection_.folded[b] >= 0) {
-            fold_box(out, static_cast<std::size_t>(selection_.folded[b]));
+            fold_box(out, selection_.folded[b]);
         } else {
             box.id = box.unit_ids.front();
             box.lines = joined_names(names, request_.text);
@@ -100,7 +107,8 @@ class GraphMaker {
         size_box(box, request_.text);
     }
 
-    void fold_box(GraphBox& out, std::size_t key) {
+    void fold_box(GraphBox& out, std::int32_t folded) {
+        const auto key = static_cast<std::size_t>(folded);
         DrawnBox& box = out.box;
         std::string number;
         std::string title;
@@ -128,9 +136,15 @@ class GraphMaker {
         box.lines = broken_title(title.empty() || title == number ? number : number + " " + title, request_.text);
         if (box.lines.empty()) box.lines.emplace_back("?");
         const std::size_t count = out.units.size();
-        const DrawingWords& words = request_.options.words;
-        box.lines.push_back(count == 1 ? words.one_unit : with_number(words.units, count));
-        box.title = fmt::format("{} {}: {} {}", number, title, count, count == 1 ? "unit" : "units");
+        const auto all = static_cast<std::size_t>(std::count(fold_keys_.begin(), fold_keys_.end(), folded));
+        box.lines.push_back(counted(request_.options.words, count, all));
+        box.title = fmt::format("{} {}: {}", number, title, counted({}, count, all));
+    }
+
+    // Of a part of the matrix the units may be a part, too.
+    static std::string counted(const DrawingWords& words, std::size_t count, std::size_t all) {
+        if (count < all) return with_number(with_number(words.some_units, count), all);
+        return count == 1 ? words.one_unit : with_number(words.units, count);
     }
 
     // Two areas may have names that give one id only if the record itself is damaged; a drawing must be
@@ -204,8 +218,6 @@ class GraphMaker {
         const GraphBox& later = graph_.boxes[line.later];
         const GraphBox& earlier = graph_.boxes[line.earlier];
         line.id = "order-" + later.box.id + "--" + earlier.box.id;
-        std::vector<model::RelationKind> kinds;
-        bool certain = false;
         const NodeIndex from = request_.matrix.node_of(units_[line.later].front());
         const NodeIndex to = request_.matrix.node_of(units_[line.earlier].front());
         const std::size_t order = request_.matrix.find_order(from, to);
@@ -215,21 +227,46 @@ class GraphMaker {
             line.kind = "later";
             return;
         }
+        bool certain = false;
+        std::vector<std::string> kinds;
+        std::vector<Statement> statements;
         for (const RelationIndex r : request_.matrix.because(order)) {
             const model::PhysicalRelation& relation = record_.relations[r];
             certain = certain || relation.certainty == model::Certainty::Certain;
-            if (std::find(kinds.begin(), kinds.end(), relation.kind) == kinds.end()) kinds.push_back(relation.kind);
+            add_once(kinds, std::string(model::to_word(relation.kind)));
+            const auto said = std::find_if(statements.begin(), statements.end(), [&](const Statement& s) {
+                return s.subject == relation.subject && s.object == relation.object;
+            });
+            Statement& statement =
+                said != statements.end() ? *said : statements.emplace_back(relation.subject, relation.object);
+            add_once(statement.phrases, std::string(model::phrase(relation.kind)));
         }
         line.uncertain = !certain;
-        std::vector<std::string> words;
+        line.kind = text::join(kinds, " ");
+        line.title = in_words(statements) + (line.uncertain ? " (uncertain)" : "");
+    }
+
+    // What is recorded between two units; a box of several can have more than one such pair with another.
+    struct Statement {
+        model::UnitId subject;
+        model::UnitId object;
         std::vector<std::string> phrases;
-        for (const model::RelationKind kind : kinds) {
-            words.emplace_back(model::to_word(kind));
-            phrases.emplace_back(model::phrase(kind));
+
+        Statement(model::UnitId s, model::UnitId o) : subject(s), object(o) {}
+    };
+
+    static void add_once(std::vector<std::string>& words, std::string word) {
+        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(std::move(word));
+    }
+
+    [[nodiscard]] std::string in_words(const std::vector<Statement>& statements) const {
+        std::vector<std::string> sentences;
+        for (const Statement& s : statements) {
+            sentences.push_back(fmt::format("{} {} {}", one_line(index_.name(index_.find(s.subject))),
+                                            text::join(s.phrases, " and "),
+                                            one_line(index_.name(index_.find(s.object)))));
         }
-        line.kind = text::join(words, " ");
-        line.title = fmt::format("{} {} {}{}", later.name, text::join(phrases, " and "), earlier.name,
-                                 line.uncertain ? " (uncertain)" : "");
+        return text::join(sentences, "; ");
     }
 
     void make_contemporaries() {
@@ -238,6 +275,10 @@ class GraphMaker {
             const std::uint32_t b = selection_.box_of[pair.earlier];
             if (a == Selection::kLeftOut || b == Selection::kLeftOut || a == b) continue;
             graph_.contemporaries.push_back({std::min(a, b), std::max(a, b)});
+        }
+        // One that is contemporary with another has a place beside it, orders or not.
+        for (const Order& pair : graph_.contemporaries) {
+            for (const std::uint32_t end : {pair.later, pair.earlier}) graph_.boxes[end].box.isolated = false;
         }
         std::sort(graph_.contemporaries.begin(), graph_.contemporaries.end());
         graph_.contemporaries.erase(std::unique(graph_.contemporaries.begin(), graph_.contemporaries.end()),
@@ -408,6 +449,7 @@ class GraphMaker {
     const model::Record& record_;
     model::RecordIndex index_;
     Selection selection_;
+    std::vector<std::int32_t> fold_keys_;
     std::vector<std::vector<UnitIndex>> units_;
     std::unordered_set<model::UnitId> with_finds_;
     std::unordered_map<model::UnitId, Mark> unit_marks_;

@@ -48,7 +48,7 @@ std::vector<bool> nodes_of_units(const LayoutRequest& request) {
     return keep;
 }
 
-// Steps count along reduced orders, upwards and downwards alike.
+// Steps count along reduced orders, upwards and downwards alike, and to what is contemporary.
 std::vector<bool> nodes_around(const LayoutRequest& request) {
     const HarrisMatrix& matrix = request.matrix;
     const UnitIndex unit = model::RecordIndex(request.record).find(request.options.around);
@@ -60,6 +60,10 @@ std::vector<bool> nodes_around(const LayoutRequest& request) {
         const Order& order = matrix.orders()[i];
         beside[order.later].push_back(order.earlier);
         beside[order.earlier].push_back(order.later);
+    }
+    for (const Order& pair : matrix.contemporaries()) {
+        beside[pair.later].push_back(pair.earlier);
+        beside[pair.earlier].push_back(pair.later);
     }
     std::vector<bool> keep(matrix.node_count(), false);
     std::vector<NodeIndex> open = {matrix.node_of(unit)};

@@ -259,6 +259,7 @@ class Layerer {
         options.keep_given = sort_as_before(component, g);
         order_layers(g, options, progress_);
         draw_in_upward_ends(g, index);
+        draw_contemporaries_together(component, g);
         if (!graph_.groups.empty()) order_groups(g, groups_in(component), progress_);
         // From here on the component's nodes stand level by level, left to right.
         std::vector<std::uint32_t> nodes;
@@ -285,6 +286,16 @@ class Layerer {
                 switcher.draw_near(level, local_[path.nodes[end]], local_[box]);
             }
         }
+    }
+
+    // What is contemporary and in no order has nothing else to hold it.
+    void draw_contemporaries_together(const Component& component, LayeredGraph& g) const {
+        std::vector<Edge> pairs;
+        const std::uint32_t number = ranking_.component[out_.nodes[component.nodes.front()].box];
+        for (const Order& pair : graph_.contemporaries) {
+            if (ranking_.component[pair.later] == number) pairs.push_back({local_[pair.later], local_[pair.earlier]});
+        }
+        if (!pairs.empty()) draw_together(g, pairs);
     }
 
     [[nodiscard]] NodeGroups groups_in(const Component& component) const {

@@ -41,4 +41,19 @@ std::int64_t LevelSwitcher::crossings(std::uint32_t left, std::uint32_t right) c
     return count;
 }
 
+void draw_together(LayeredGraph& graph, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+    std::vector<std::size_t> level(graph.nodes, 0);
+    for (std::size_t l = 0; l < graph.layers.size(); ++l) {
+        for (const std::uint32_t node : graph.layers[l]) level[node] = l;
+    }
+    std::vector<bool> joined(graph.nodes, false);
+    for (const auto& [upper, lower] : graph.edges) joined[upper] = joined[lower] = true;
+    LevelSwitcher switcher(graph);
+    for (const auto& [a, b] : pairs) {
+        if (level[a] != level[b] || (joined[a] && joined[b])) continue;
+        switcher.draw_near(level[a], joined[b] ? a : b, joined[b] ? b : a);
+        joined[a] = joined[b] = true; // has its place now
+    }
+}
+
 } // namespace planum::strat

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "strat/layout/order_phase.hpp"
@@ -27,5 +28,8 @@ class LevelSwitcher {
     Adjacency down_;
     std::vector<std::uint32_t> place_; // by node, within its level
 };
+
+/// Of each pair that stands on one level the node that has no edge goes beside the other one.
+void draw_together(LayeredGraph& graph, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
 
 } // namespace planum::strat

@@ -67,6 +67,7 @@ class Ranker {
     void find_components() {
         Sets sets(graph_.boxes.size());
         for (const GraphOrder& o : graph_.orders) sets.join(o.later, o.earlier);
+        for (const Order& pair : graph_.contemporaries) sets.join(pair.later, pair.earlier);
         std::vector<std::uint32_t> first(graph_.groups.size(), kNone); // boxes of one frame are laid out together
         for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
             if (graph_.boxes[b].group < 0 || graph_.boxes[b].box.isolated) continue;
@@ -84,7 +85,7 @@ class Ranker {
     }
 
     // Within each cycle group: greedy sequence after Eades, Lin and Smyth 1993; what runs against it is
-    // drawn upwards.
+    // drawn upwards. That shall be an uncertain order where there is one: it is the first to be suspected.
     void turn_cycles() {
         std::vector<Order> orders;
         for (const GraphOrder& o : graph_.orders) orders.push_back({o.later, o.earlier});
@@ -107,9 +108,12 @@ class Ranker {
         std::vector<std::int64_t> place(graph_.boxes.size(), 0);
         std::int64_t next = 0;
         std::vector<std::int64_t> balance(graph_.boxes.size(), 0); // orders down minus orders up, among those left
+        const auto weight = [&](const GraphOrder& o) {
+            return o.line.uncertain ? std::int64_t{1} : static_cast<std::int64_t>(inside.size()) + 1;
+        };
         for (const std::uint32_t i : inside) {
-            ++balance[graph_.orders[i].later];
-            --balance[graph_.orders[i].earlier];
+            balance[graph_.orders[i].later] += weight(graph_.orders[i]);
+            balance[graph_.orders[i].earlier] -= weight(graph_.orders[i]);
         }
         std::vector<bool> taken(graph_.boxes.size(), false);
         while (!left.empty()) {
@@ -121,8 +125,8 @@ class Ranker {
             place[box] = next++;
             for (const std::uint32_t i : inside) {
                 const GraphOrder& o = graph_.orders[i];
-                if (o.later == box) ++balance[o.earlier];
-                if (o.earlier == box) --balance[o.later];
+                if (o.later == box) balance[o.earlier] += weight(o);
+                if (o.earlier == box) balance[o.later] -= weight(o);
             }
         }
         for (const std::uint32_t i : inside) {
@@ -172,28 +176,30 @@ class Ranker {
         std::vector<std::vector<std::uint32_t>> members(graph_.boxes.size());
         std::vector<std::vector<std::uint32_t>> below(graph_.boxes.size());
         std::vector<std::int32_t> band(graph_.boxes.size());
+        std::vector<char> chained(graph_.boxes.size(), 0); // in any order
         for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
             members[b] = {b};
             band[b] = graph_.boxes[b].band;
         }
         for (std::uint32_t i = 0; i < graph_.orders.size(); ++i) {
-            if (!out_.upwards[i]) below[graph_.orders[i].later].push_back(graph_.orders[i].earlier);
+            const GraphOrder& o = graph_.orders[i];
+            if (!out_.upwards[i]) below[o.later].push_back(o.earlier);
+            chained[o.later] = chained[o.earlier] = 1;
         }
         for (const Order& pair : graph_.contemporaries) {
             const std::uint32_t a = levels_.find(pair.later);
             const std::uint32_t b = levels_.find(pair.earlier);
-            if (a == b || band[a] != band[b] || graph_.boxes[pair.later].box.isolated ||
-                graph_.boxes[pair.earlier].box.isolated)
-                continue;
+            if (a == b) continue;
             // Boxes outside all bands are held between others' bands by different chains; tied together these
-            // chains can close a circle through the bands' borders.
-            if (!graph_.bands.empty() && band[a] == kNoBand) continue;
-            // Components are laid out apart, each from its own first level.
-            if (graph_.bands.empty() && out_.component[pair.later] != out_.component[pair.earlier]) continue;
+            // chains can close a circle through the bands' borders. Without a chain they go anywhere.
+            const bool free = (band[a] == kNoBand && chained[a] == 0) || (band[b] == kNoBand && chained[b] == 0);
+            if (!free && (band[a] != band[b] || (!graph_.bands.empty() && band[a] == kNoBand))) continue;
             if (reaches(members, below, a, b) || reaches(members, below, b, a)) continue;
             levels_.join(a, b);
             const std::uint32_t leader = levels_.find(a);
             const std::uint32_t other = leader == a ? b : a;
+            band[leader] = std::max(band[a], band[b]);
+            chained[leader] = chained[a] != 0 || chained[b] != 0 ? 1 : 0;
             members[leader].insert(members[leader].end(), members[other].begin(), members[other].end());
         }
     }

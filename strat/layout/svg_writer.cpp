@@ -189,38 +189,53 @@ class SvgWriter {
 
     void open_link(const std::string& link) { put("<a xlink:href=\"{0}\" href=\"{0}\">", xml_escaped(link)); }
 
-    // The names in a line of a joined box, each with its link and, but for the first, which is the box's, its id;
-    // `next` is the name to look for.
-    std::string marked_names(const DrawnBox& box, const std::string& line, std::size_t& next) {
+    // What is still to be written of the names of a joined box; a long name goes on over several lines.
+    struct NamesLeft {
+        std::size_t name = 0;
+        std::size_t from = 0; // of that name: what stands before is written
+    };
+
+    // The names in a line of a joined box, each with its link and, but for the first, which is the box's, its id.
+    std::string marked_names(const DrawnBox& box, const std::string& line, NamesLeft& left) {
         std::string marked;
-        std::size_t from = 0;
-        while (next < box.names.size()) {
-            const std::size_t at = line.find(box.names[next], from);
-            if (at == std::string::npos) break;
-            marked += xml_escaped(line.substr(from, at - from));
-            const std::string name = xml_escaped(box.names[next]);
-            const std::string id = next == 0 ? "" : fmt::format(" id=\"{}\"", xml_escaped(box.unit_ids[next]));
-            const std::string span = fmt::format("<tspan{} class=\"unit-name\">{}</tspan>", id, name);
-            marked += box.links.empty() ? span
-                                        : fmt::format("<a xlink:href=\"{0}\" href=\"{0}\">{1}</a>",
-                                                      xml_escaped(box.links[next]), span);
-            from = at + box.names[next].size();
-            ++next;
+        std::size_t at = 0;
+        while (left.name < box.names.size()) {
+            const std::string rest = box.names[left.name].substr(left.from);
+            const std::size_t found = line.find(rest, at);
+            // A name begins a line of its own if it goes on in the next, behind the sign of equality.
+            const std::size_t begin = found != std::string::npos ? found : at == 0 && line.starts_with("= ") ? 2 : at;
+            const std::string part = found != std::string::npos ? rest : line.substr(begin);
+            if (part.empty() || !rest.starts_with(part)) break;
+            marked += xml_escaped(line.substr(at, begin - at)) + marked_name(box, left, part);
+            at = begin + part.size();
+            if (part.size() < rest.size()) {
+                left.from += part.size();
+                break;
+            }
+            left = {left.name + 1, 0};
         }
-        return marked + xml_escaped(line.substr(from));
+        return marked + xml_escaped(line.substr(at));
+    }
+
+    static std::string marked_name(const DrawnBox& box, const NamesLeft& name, const std::string& part) {
+        const bool has_id = name.name > 0 && name.from == 0;
+        const std::string id = has_id ? fmt::format(" id=\"{}\"", xml_escaped(box.unit_ids[name.name])) : "";
+        const std::string span = fmt::format("<tspan{} class=\"unit-name\">{}</tspan>", id, xml_escaped(part));
+        if (box.links.empty()) return span;
+        return fmt::format("<a xlink:href=\"{0}\" href=\"{0}\">{1}</a>", xml_escaped(box.links[name.name]), span);
     }
 
     // textLength: viewers with another font squeeze the label into its box.
     void label(const DrawnBox& box) {
         const double top = box.rect.centre().y - style::kLineHeight * static_cast<double>(box.lines.size() - 1) / 2.0;
-        std::size_t next_name = 0;
+        NamesLeft left;
         for (std::size_t i = 0; i < box.lines.size() && i < box.line_widths.size(); ++i) {
             const double y = top + style::kLineHeight * static_cast<double>(i) + box.text_size * 0.36;
             put("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\" fill=\"{}\" textLength=\"{}\" "
                 "lengthAdjust=\"spacingAndGlyphs\">{}</text>",
                 number(box.rect.centre().x), number(y), number(box.text_size), hex(style_of(box).text),
                 number(box.line_widths[i]),
-                is_joined(box) ? marked_names(box, box.lines[i], next_name) : xml_escaped(box.lines[i]));
+                is_joined(box) ? marked_names(box, box.lines[i], left) : xml_escaped(box.lines[i]));
         }
     }
 

@@ -24,4 +24,13 @@ struct TextLook {
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, double width, std::size_t most_lines,
                                                TextLook look, const TextMeasure& measure);
 
+/// Like shortened(), but what is left out is in the middle: names that begin alike differ at their ends.
+[[nodiscard]] std::string shortened_inside(std::string_view text, double width, TextLook look,
+                                           const TextMeasure& measure);
+
+/// All of the text in lines of at most `width` [pt], broken behind a blank or a sign where one stands in its
+/// second half, else between any two letters. One line at least.
+[[nodiscard]] std::vector<std::string> broken_anywhere(std::string_view text, double width, TextLook look,
+                                                       const TextMeasure& measure);
+
 } // namespace planum::strat

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "strat/layout/drawn_graph.hpp"
 
+#include <algorithm>
+
 #include "core/base/error.hpp"
 #include "strat/layout/dot_writer.hpp"
 #include "tests/support/catch.hpp"
@@ -39,6 +41,37 @@ TEST_CASE("Units merged by same_as share a box") {
     CHECK(graph.boxes[1].box.lines == std::vector<std::string>{"2 = 7"});
 }
 
+TEST_CASE("A box of several names them in natural order, and its lines say what was recorded of which") {
+    auto builder = a_matrix().relate("5", model::RelationKind::Covers, "6").relate("4", model::RelationKind::Cuts, "6");
+    builder.relate("4", model::RelationKind::SameAs, "5").relate("5", model::RelationKind::SameAs, "10");
+    model::Record record = builder.record();
+    for (const char* area : {"North", "South"}) { // sorted by area, 5 is the last of them
+        model::Area fresh;
+        fresh.id = {SeededUuids(static_cast<std::uint64_t>(record.areas.size()) + 100).next()};
+        fresh.name = area;
+        record.areas.push_back(fresh);
+    }
+    for (model::StratigraphicUnit& unit : record.units) unit.area = record.areas[unit.number == "5" ? 1 : 0].id;
+    model::sort_record(record);
+    const DrawnGraph graph = graph_of(record);
+    const auto box = std::find_if(graph.boxes.begin(), graph.boxes.end(), [](const GraphBox& b) { return b.units.size() > 1; });
+    REQUIRE(box != graph.boxes.end());
+    CHECK(box->box.names == std::vector<std::string>{"4", "5", "10"});
+    CHECK(box->box.id == "unit-4");
+    REQUIRE(graph.orders.size() == 1);
+    CHECK_THAT(graph.orders[0].line.title, Catch::Contains("5 covers 6") && Catch::Contains("4 cuts 6"));
+}
+
+TEST_CASE("A folded box of which only a part is drawn says so") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4");
+    for (const char* unit : {"1", "2", "3"}) builder.phase(unit, "B", 2);
+    DrawingOptions options;
+    options.fold = Fold::Phases;
+    CHECK(graph_of(builder.record(), options).boxes.front().box.lines.back() == "3 units");
+    options.only = {builder.id("2"), builder.id("3"), builder.id("4")};
+    CHECK(graph_of(builder.record(), options).boxes.front().box.lines.back() == "2 of 3 units");
+}
+
 TEST_CASE("A neighbourhood keeps the orders that hold by way of units left out") {
     auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4");
     DrawingOptions options;
@@ -55,6 +88,21 @@ TEST_CASE("Around a unit means so many immediate orders up and down") {
     options.around = builder.id("3");
     options.around_steps = 1;
     CHECK(order_names(graph_of(builder.record(), options)) == std::vector<std::string>{"2>3", "3>4"});
+}
+
+TEST_CASE("Around a unit stands what is contemporary with it, too") {
+    auto builder = a_matrix().above("1", "2").above("2", "3");
+    builder.relate("4", model::RelationKind::Contemporary, "2");
+    DrawingOptions options;
+    options.around_steps = 1;
+    const auto names_around = [&](const char* unit) {
+        options.around = builder.id(unit);
+        std::vector<std::string> names;
+        for (const GraphBox& b : graph_of(builder.record(), options).boxes) names.push_back(b.name);
+        return names;
+    };
+    CHECK(names_around("4") == std::vector<std::string>{"2", "4"});
+    CHECK(names_around("2") == std::vector<std::string>{"1", "2", "3", "4"});
 }
 
 TEST_CASE("An unknown area is an error that names it") {

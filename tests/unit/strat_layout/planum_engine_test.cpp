@@ -160,6 +160,59 @@ TEST_CASE("Contemporary units stand on one level unless an order contradicts") {
     CHECK(broken_law(builder.record(), drawing_of(builder.record())).empty());
 }
 
+TEST_CASE("A unit that is contemporary with another and in no order stands beside it") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("1", "4").above("4", "5").above("1", "6");
+    builder.relate("9", model::RelationKind::Contemporary, "2");
+    const model::Record record = builder.record();
+    const MatrixDrawing drawing = drawing_of(record);
+    const DrawRect& lone = box_named(drawing, "9").rect;
+    const DrawRect& partner = box_named(drawing, "2").rect;
+    CHECK_FALSE(box_named(drawing, "9").isolated);
+    CHECK(lone.y == partner.y);
+    for (const DrawnBox& other : drawing.boxes) { // nobody between them
+        const double x = other.rect.centre().x;
+        const bool between = x > std::min(lone.right(), partner.right()) && x < std::max(lone.x, partner.x);
+        if (other.rect.y == lone.y) CHECK_FALSE(between);
+    }
+    CHECK(broken_law(record, drawing).empty());
+}
+
+TEST_CASE("Parts that only something contemporary joins stand on its level") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("11", "12");
+    builder.relate("3", model::RelationKind::Contemporary, "11");
+    const MatrixDrawing drawing = drawing_of(builder.record());
+    CHECK(box_named(drawing, "3").rect.y == box_named(drawing, "11").rect.y);
+    CHECK(broken_law(builder.record(), drawing).empty());
+}
+
+TEST_CASE("With phases, too, a unit in no order and no phase stands beside what it is contemporary with") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4");
+    for (const char* unit : {"1", "2"}) builder.phase(unit, "B", 2);
+    for (const char* unit : {"3", "4"}) builder.phase(unit, "A", 1);
+    builder.relate("9", model::RelationKind::Contemporary, "3");
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    const MatrixDrawing drawing = drawing_of(builder.record(), options);
+    CHECK(box_named(drawing, "9").rect.y == box_named(drawing, "3").rect.y);
+    CHECK(broken_law(builder.record(), drawing).empty());
+}
+
+TEST_CASE("A cycle is opened at the order that nobody was certain of") {
+    using model::Certainty;
+    using model::RelationKind;
+    for (const char* doubted : {"1", "2", "3"}) {
+        auto builder = a_matrix();
+        for (const auto& [later, earlier] : {std::pair{"1", "2"}, std::pair{"2", "3"}, std::pair{"3", "1"}}) {
+            const bool certain = std::string(later) != doubted;
+            builder.relate(later, RelationKind::Covers, earlier, certain ? Certainty::Certain : Certainty::Uncertain);
+        }
+        const MatrixDrawing drawing = drawing_of(builder.record());
+        for (const DrawnLine& line : drawing.lines) {
+            CHECK(line.upwards == (drawing.boxes[line.later].names.front() == doubted));
+        }
+    }
+}
+
 TEST_CASE("Natural ground lies on the last level, topsoil on the first") {
     auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("1", "9").above("8", "4");
     builder.kind("9", model::UnitKind::Natural);

@@ -79,6 +79,28 @@ TEST_CASE("Each unit in a box of several has its own id and link in SVG") {
     CHECK(std::system(("xmllint --noout " + folder.write("joined.svg", svg).string()).c_str()) == 0);
 }
 
+TEST_CASE("A name that goes on over several lines of a joined box keeps its id and its link") {
+    const std::string number(120, '8');
+    auto builder = a_matrix().above("1", "2").relate("2", model::RelationKind::SameAs, number);
+    builder.relate("2", model::RelationKind::SameAs, "90");
+    DrawingOptions options;
+    options.unit_link = "units.html#{unit}";
+    const std::string svg = write_svg(drawn(builder.record(), options));
+    for (const std::string& id : {"unit-" + number, std::string("unit-90")}) {
+        CHECK_THAT(svg, Catch::Contains("<tspan id=\"" + id + "\" class=\"unit-name\">"));
+    }
+    const test::TemporaryFolder folder;
+    CHECK(std::system(("xmllint --noout " + folder.write("long.svg", svg).string()).c_str()) == 0);
+    // All parts of the long name are links to it, and make it up again.
+    std::string together;
+    const std::string link = "href=\"units.html#" + number + "\"><tspan";
+    for (std::size_t at = svg.find(link); at != std::string::npos; at = svg.find(link, at + 1)) {
+        const std::size_t begin = svg.find('>', at + link.size()) + 1;
+        together += svg.substr(begin, svg.find('<', begin) - begin);
+    }
+    CHECK(together == number);
+}
+
 TEST_CASE("The same record gives the same bytes") {
     const model::Record record = test::a_trench({.units = 40});
     CHECK(write_svg(drawn(record)) == write_svg(drawn(record)));

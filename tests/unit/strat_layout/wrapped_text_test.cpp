@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "strat/layout/wrapped_text.hpp"
 
+#include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/drawing_laws.hpp"
 #include "tests/support/layout_records.hpp"
@@ -24,6 +25,43 @@ TEST_CASE("Text is broken between words, and what is too much ends in an ellipsi
     CHECK(fits(cut));
     CHECK_THAT(cut, Catch::StartsWith("Größen") && Catch::EndsWith("…"));
     CHECK(shortened("é", 0.0, look, measure) == "…");
+}
+
+TEST_CASE("What is too much goes from the middle where names differ at their ends") {
+    const TableTextMeasure measure;
+    const TextLook look{9.0, FontWeight::Regular};
+    CHECK(shortened_inside("1017", 60.0, look, measure) == "1017");
+    const std::string cut = shortened_inside("Südquadrant Schnitt 4 – 1017", 60.0, look, measure);
+    CHECK(measure.width(cut, look.size, look.weight) <= 60.0);
+    CHECK_THAT(cut, Catch::StartsWith("Süd") && Catch::Contains("…") && Catch::EndsWith("017"));
+    CHECK(shortened_inside("é", 0.0, look, measure) == "…");
+}
+
+TEST_CASE("A long name is broken, not cut off, behind a blank or sign where one is near") {
+    const TableTextMeasure measure;
+    const TextLook look{9.0, FontWeight::Regular};
+    for (const std::string name : {"", "1017", "Südquadrant/Schnitt-4/1017", "ÄÖÜäöüÄÖÜäöüÄÖÜäöüÄÖÜäöü", "a b c d e f"}) {
+        const std::vector<std::string> lines = broken_anywhere(name, 40.0, look, measure);
+        REQUIRE_FALSE(lines.empty());
+        std::string together;
+        for (const std::string& line : lines) {
+            CHECK(measure.width(line, look.size, look.weight) <= 40.0);
+            together += line;
+        }
+        CHECK(together == name);
+    }
+    CHECK(broken_anywhere("Nord-1017", 40.0, look, measure) == std::vector<std::string>{"Nord-", "1017"});
+    CHECK(broken_anywhere("ab", 0.0, look, measure) == std::vector<std::string>{"a", "b"});
+}
+
+TEST_CASE("A unit with a very long number gets a box of several lines, all of the number in it") {
+    std::string number;
+    for (int i = 0; i < 75; ++i) number += "12/4";
+    const MatrixDrawing drawing = test::drawing_of(a_matrix().above(number, "2").record());
+    const DrawnBox& box = drawing.boxes.back();
+    REQUIRE(box.names.front() == number);
+    CHECK(box.rect.width < 300.0);
+    CHECK(text::join(box.lines, "") == number);
 }
 
 TEST_CASE("A long name of the site, or one of two lines, widens no page") {
