@@ -32,7 +32,7 @@ std::string_view medium_of(MatrixKind kind) {
 
 // Options by what they say something about; those not here are good for all.
 constexpr std::array kParts = {"area", "around", "steps", "fold", "since", "compare", "problems"};
-constexpr std::array kLooks = {"engine", "bands", "frames", "titles", "language", "keep-places"};
+constexpr std::array kLooks = {"engine", "evidence", "bands", "frames", "titles", "language", "keep-places"};
 
 struct OneMedium {
     std::string_view option;
@@ -57,6 +57,9 @@ void refuse_lonely_options(const CLI::App& command, const MatrixOptions& options
     }
     if (given("--bands") && given("--fold") && draw.bands != "none") refuse("folded drawings have no bands");
     if (draw.frames && draw.fold == "groups") refuse("folded groups have no frames");
+    if (draw.evidence && (given("--since") || given("--compare"))) {
+        refuse("evidence and comparisons both colour the lines; take one of them");
+    }
     if (draw.problems_only && (given("--since") || given("--compare"))) {
         refuse("problems, since and compare each choose what is drawn; take one of them");
     }
@@ -113,6 +116,8 @@ void add_matrix_options(CLI::App& command, MatrixOptions& options) {
                     "only where the interpretation differs from this one (record: from the field record)")
         ->check(not_empty, "");
     command.add_flag("--problems", draw.problems_only, "only what problems are about");
+    command.add_flag("--evidence", draw.evidence,
+                     "lines as what the evidence says of them: confirmed, contradicted, not testable");
     command.add_flag("--titles", draw.titles, "short definitions below the numbers");
     command.add_option("--language", draw.language, "of the key and headings: en or de")
         ->check(CLI::IsMember({"en", "de"}));

@@ -14,6 +14,7 @@
 #include "app/drawing/former_places.hpp"
 #include "core/base/calendar.hpp"
 #include "core/base/error.hpp"
+#include "strat/layout/drawing_evidence.hpp"
 #include "strat/layout/graphviz_engine.hpp"
 #include "strat/layout/planum_engine.hpp"
 
@@ -60,6 +61,15 @@ std::unique_ptr<strat::LayoutEngine> engine_of(const DrawRequest& request) {
         return std::make_unique<strat::GraphvizEngine>(options);
     }
     throw Error(ErrorCode::Usage, "engine: " + request.engine + " is none of planum, graphviz");
+}
+
+void colour_by_evidence(Project& project, const DrawRequest& request, const strat::TextMeasure& text,
+                        strat::MatrixDrawing& drawing, Progress& progress) {
+    const DailyCheck check = check_project(project, request.interpretation, progress);
+    const auto verdicts = strat::line_verdicts(drawing, strat::DrawingIndex(drawing),
+                                               interpreted(project.record(), request.interpretation), check.verdicts);
+    strat::show_evidence(drawing, verdicts,
+                         request.language == "de" ? strat::german_evidence_words() : strat::EvidenceWords{}, text);
 }
 
 void keep_problems(Project& project, const DrawRequest& request, strat::DrawingOptions& options, Progress& progress) {
@@ -216,7 +226,9 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
         previous = former_places(request.keep_places, drawn);
     }
     progress.step("drawing");
-    return engine_of(request)->draw({drawn, matrix, text, options, previous}, progress);
+    strat::MatrixDrawing drawing = engine_of(request)->draw({drawn, matrix, text, options, previous}, progress);
+    if (request.evidence) colour_by_evidence(project, request, text, drawing, progress);
+    return drawing;
 }
 
 strat::MatrixStats matrix_stats(Project& project, const std::string& interpretation) {

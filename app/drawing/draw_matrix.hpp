@@ -26,6 +26,7 @@ struct DrawRequest {
     std::string bands;               ///< `phases`, `periods` or `none`; empty: where most units have one
     std::string since;               ///< ISO day: only what was added, removed or changed since, marked
     bool problems_only = false;      ///< units with errors or warnings about their relations
+    bool evidence = false;           ///< lines look as what the surfaces, finds and dates say of them
     bool titles = false;             ///< short definitions below the numbers
     std::string language;            ///< of the drawing's own words: `en`, `de`; empty: English
     std::string unit_link; ///< where a unit leads to in SVG, with `{unit}` or `{uuid}` in it (strat::unit_link_of)

@@ -15,6 +15,7 @@
 #include "core/model/diagnostic.hpp"
 #include "gui/viewmodels/workspace.hpp"
 #include "strat/layout/drawing.hpp"
+#include "strat/layout/drawing_evidence.hpp"
 #include "strat/layout/drawing_index.hpp"
 #include "strat/layout/text_measure.hpp"
 
@@ -22,13 +23,9 @@ namespace planum::gui {
 
 class ProblemListModel;
 
-/// What the evidence says about each line of a drawing, by position; empty: not asked for. A line that stands for
-/// several relations is contradicted where one of them is, confirmed where one is and none contradicted.
+/// See strat::line_verdicts(); empty: not asked for.
 using LineVerdicts = std::vector<model::EvidenceVerdict>;
-
-[[nodiscard]] LineVerdicts line_verdicts(const strat::MatrixDrawing& drawing, const strat::DrawingIndex& index,
-                                         const model::Record& record,
-                                         const std::vector<model::EvidenceVerdict>& of_relations);
+using strat::line_verdicts;
 
 /// The drawing of the matrix, made anew in a thread whenever the record or the choice of what is drawn changes, with
 /// what of it is to be pointed out: the unit selected and the proof of the open problem.

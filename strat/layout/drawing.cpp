@@ -141,6 +141,16 @@ std::string_view to_word(BoxShape shape) noexcept {
     return {};
 }
 
+std::string_view to_word(model::EvidenceVerdict verdict) noexcept {
+    switch (verdict) {
+    case model::EvidenceVerdict::None: return "";
+    case model::EvidenceVerdict::Confirmed: return "confirmed";
+    case model::EvidenceVerdict::Contradicted: return "contradicted";
+    case model::EvidenceVerdict::Untestable: return "untestable";
+    }
+    return "";
+}
+
 std::string_view to_word(Mark mark) noexcept {
     switch (mark) {
     case Mark::None: return {};

@@ -167,5 +167,6 @@ struct AxisStroke {
 /// Words of the enumerators, as SVG classes: `deposit`, `cut`, …; `added`, …; empty for Mark::None.
 [[nodiscard]] std::string_view to_word(BoxShape shape) noexcept;
 [[nodiscard]] std::string_view to_word(Mark mark) noexcept;
+[[nodiscard]] std::string_view to_word(model::EvidenceVerdict verdict) noexcept; ///< `confirmed`, …; empty for None
 
 } // namespace planum::strat

@@ -3,11 +3,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "strat/layout/drawing_style.hpp"
 
 namespace planum::strat {
+
+EvidenceWords german_evidence_words() { return {"bestätigt", "widersprochen", "nicht prüfbar"}; }
+
+std::vector<model::EvidenceVerdict> line_verdicts(const MatrixDrawing& drawing, const DrawingIndex& index,
+                                                  const model::Record& record,
+                                                  const std::vector<model::EvidenceVerdict>& of_relations) {
+    using model::EvidenceVerdict;
+    // What of several counts: a contradiction before a confirmation before nothing known.
+    const auto weight = [](EvidenceVerdict v) {
+        return v == EvidenceVerdict::Contradicted ? 3 : v == EvidenceVerdict::Confirmed ? 2 : 1;
+    };
+    std::map<std::pair<std::size_t, std::size_t>, EvidenceVerdict> by_boxes;
+    const std::size_t judged = std::min(of_relations.size(), record.relations.size());
+    for (std::size_t r = 0; r < judged; ++r) {
+        if (of_relations[r] == EvidenceVerdict::None) continue;
+        const auto later = index.box_of(record.relations[r].subject);
+        const auto earlier = index.box_of(record.relations[r].object);
+        if (!later || !earlier || *later == *earlier) continue;
+        EvidenceVerdict& there = by_boxes.try_emplace({*later, *earlier}, EvidenceVerdict::None).first->second;
+        if (there == EvidenceVerdict::None || weight(of_relations[r]) > weight(there)) there = of_relations[r];
+    }
+    std::vector<EvidenceVerdict> verdicts;
+    verdicts.reserve(drawing.lines.size());
+    for (const DrawnLine& line : drawing.lines) {
+        const auto found = by_boxes.find({line.later, line.earlier});
+        verdicts.push_back(found == by_boxes.end() ? EvidenceVerdict::Untestable : found->second);
+    }
+    return verdicts;
+}
 
 void show_evidence(MatrixDrawing& drawing, const std::vector<model::EvidenceVerdict>& verdicts,
                    const EvidenceWords& words, const TextMeasure& text) {

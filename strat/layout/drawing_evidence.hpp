@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "core/model/diagnostic.hpp"
+#include "core/model/record.hpp"
 #include "strat/layout/drawing.hpp"
+#include "strat/layout/drawing_index.hpp"
 #include "strat/layout/text_measure.hpp"
 
 namespace planum::strat {
@@ -16,6 +18,15 @@ struct EvidenceWords {
     std::string contradicted = "contradicted";
     std::string untestable = "not testable";
 };
+
+[[nodiscard]] EvidenceWords german_evidence_words();
+
+/// What the evidence says about each line of a drawing, by position, from what it says of the record's relations by
+/// theirs. A line that stands for several is contradicted where one of them is, confirmed where one is and none
+/// contradicted, else untestable.
+[[nodiscard]] std::vector<model::EvidenceVerdict>
+line_verdicts(const MatrixDrawing& drawing, const DrawingIndex& index, const model::Record& record,
+              const std::vector<model::EvidenceVerdict>& of_relations);
 
 /// Has the lines of a drawing say what the evidence says of them, one verdict a line, and adds a row to its key for
 /// those that occur. Verdicts of another number than lines change nothing.

@@ -110,6 +110,7 @@ class SvgWriter {
         if (line.uncertain) c += " uncertain";
         if (line.through) c += " through";
         if (line.mark != Mark::None) c += " " + std::string(to_word(line.mark));
+        if (line.verdict != model::EvidenceVerdict::None) c += " " + std::string(to_word(line.verdict));
         return c;
     }
 
