@@ -94,7 +94,9 @@ class PdfMaker {
         std::sort(widths.begin(), widths.end());
         const double most_fit = widths[(widths.size() - 1) * 9 / 10];
         const double widest = plan_.content.width - kIndexGutter - kLeader - sheet_width_;
-        name_width_ = std::min(std::max({30.0, widths.back() <= 2.0 * most_fit ? widths.back() : most_fit}), widest);
+        constexpr double kSaysEnough = 90.0;
+        const bool few_long = widths.back() > std::max(2.0 * most_fit, kSaysEnough);
+        name_width_ = std::min(std::max(30.0, few_long ? std::max(most_fit, kSaysEnough) : widths.back()), widest);
         column_width_ = name_width_ + kLeader + sheet_width_ + kIndexGutter;
     }
 

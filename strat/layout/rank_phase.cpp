@@ -236,10 +236,13 @@ class Ranker {
             if (from != to) arcs.push_back({from, to, 1, 1});
         }
         const auto bands = static_cast<std::uint32_t>(graph_.bands.size());
+        const std::vector<bool> outside = outside_bands();
         for (std::uint32_t b = 0; b < boxes && bands > 0; ++b) {
             const std::int32_t band = graph_.boxes[b].band;
-            if (band == kNoBand || graph_.boxes[b].box.isolated) continue;
+            if (graph_.boxes[b].box.isolated) continue;
             const std::uint32_t level = levels_.find(b);
+            if (outside[out_.component[b]]) arcs.push_back({boxes + bands, level, 1, 0});
+            if (band == kNoBand) continue;
             arcs.push_back({boxes + static_cast<std::uint32_t>(band), level, 1, 0});
             arcs.push_back({level, boxes + static_cast<std::uint32_t>(band) + 1, 1, 0});
         }
@@ -248,6 +251,15 @@ class Ranker {
         ranks_ = network_simplex(nodes, arcs, pivots(nodes, arcs.size()));
         out_.rank.resize(boxes);
         for (std::uint32_t b = 0; b < boxes; ++b) out_.rank[b] = ranks_[levels_.find(b)];
+    }
+
+    // Components that have no box in any band: they stand below all of them, or they would seem to belong to the first.
+    [[nodiscard]] std::vector<bool> outside_bands() const {
+        std::vector<bool> outside(out_.component_count, true);
+        for (std::uint32_t b = 0; b < graph_.boxes.size(); ++b) {
+            if (graph_.boxes[b].band != kNoBand) outside[out_.component[b]] = false;
+        }
+        return outside;
     }
 
     // Beyond some thousand units the last few per cent of line length are not worth the seconds.

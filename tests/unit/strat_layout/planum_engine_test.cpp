@@ -245,6 +245,20 @@ TEST_CASE("Bands enclose their units and nobody else's") {
     CHECK(inside("5", 2));
 }
 
+TEST_CASE("What no relation joins to a unit with a phase stands below all phases") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("11", "12");
+    builder.phase("1", "II", 2).phase("2", "II", 2).phase("3", "I", 1);
+    builder.relate("7", model::RelationKind::Contemporary, "9");
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    const MatrixDrawing drawing = drawing_of(builder.record(), options);
+    REQUIRE(drawing.bands.size() == 2);
+    for (const char* unit : {"7", "9", "11", "12"}) {
+        CHECK(box_named(drawing, unit).rect.y > drawing.bands.back().rect.bottom());
+    }
+    CHECK(broken_law(builder.record(), drawing).empty());
+}
+
 TEST_CASE("No line runs along the edge of a band") {
     auto builder = a_matrix();
     for (int i = 1; i <= 12; ++i) builder.phase(std::to_string(i), "P" + std::to_string((i - 1) / 4), -(i - 1) / 4);
