@@ -116,14 +116,24 @@ void print_open(const Context& context, app::Project& project, const std::vector
     }
 }
 
+// Why there is nothing, which is another thing before and after surfaces could be compared.
+std::string nothing_proposed(const app::SuggestionList& list) {
+    if (list.compared == 0) {
+        return "nothing to propose; outlines on two surfaces of an area with registered scans are needed: planum scan "
+               "add, planum register, planum region import\n";
+    }
+    return fmt::format("nothing to propose: {} compared, and nowhere clear of the outlines did a unit come out below "
+                       "another\n",
+                       list.compared == 1 ? "one pair of surfaces was"
+                                          : fmt::format("{} pairs of surfaces were", list.compared));
+}
+
 void print_rest(const Context& context, const app::SuggestionList& list, const Options& options) {
     std::map<model::SuggestionState, std::size_t> counts;
     for (const model::Suggestion& s : list.suggestions) ++counts[s.state];
     const bool is_narrowed = options.questions || !options.day.empty();
     if (list.suggestions.empty()) {
-        *context.out << (is_narrowed ? "nothing of that kind is proposed\n"
-                                     : "nothing to propose; outlines on two surfaces of an area with registered scans "
-                                       "are needed: planum scan add, planum register, planum region import\n");
+        *context.out << (is_narrowed ? "nothing of that kind is proposed\n" : nothing_proposed(list));
     } else if (counts[model::SuggestionState::Open] == 0) {
         *context.out << "nothing is open\n";
     }

@@ -262,6 +262,8 @@ SuggestionList list_suggestions(Project& project, Progress& progress) {
     list.suggestions = suggestions_from(project, evidence);
     const model::Record& record = project.record();
     for (const AreaEvidence& area : evidence) {
+        const std::size_t seen = area.surfaces.size() - std::min(area.surfaces.size(), area.unseen.size());
+        list.compared += seen - std::min<std::size_t>(seen, 1);
         for (const UnseenSurface& unseen : area.unseen) {
             const auto surface = std::find_if(record.surfaces.begin(), record.surfaces.end(),
                                               [&](const model::Surface& one) { return one.id == unseen.surface; });

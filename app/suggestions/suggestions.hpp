@@ -24,6 +24,7 @@ struct UnusedSurface {
 struct SuggestionList {
     std::vector<model::Suggestion> suggestions;
     std::vector<UnusedSurface> unused;
+    std::size_t compared = 0; ///< pairs of successive surfaces
 };
 
 /// All that the surfaces propose: open ones first, relations before questions, the largest contacts first. Questions

@@ -28,7 +28,7 @@ constexpr std::array kMethods = {model::DigMethod::Stratigraphic, model::DigMeth
 struct Spoilt {
     double without_outline = 0.0; ///< share of the regions that nobody drew
     bool day_unscanned = false;   ///< one in the middle
-    GroundNoise noise;
+    GroundNoise noise = {};
 };
 
 /// Forgets the outlines of some units on some surfaces, and leaves nothing to be seen on a day without scans.
