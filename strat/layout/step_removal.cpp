@@ -16,7 +16,7 @@ using Run = std::vector<std::uint32_t>; // line nodes in one vertical, downwards
 
 class StepRemover : public LevelNeighbours {
   public:
-    explicit StepRemover(const LevelNeighbours& neighbours) : LevelNeighbours(neighbours) {
+    explicit StepRemover(const LevelNeighbours& neighbours) : LevelNeighbours(neighbours), moved_by_(g_.nodes, 0) {
         relief_ = style::kLineGap - style::kLeastLineGap;
     }
 
@@ -64,6 +64,7 @@ class StepRemover : public LevelNeighbours {
     // Moves a run, and what stands in its way, if fewer edges than before are bent then.
     bool shift(const Run& run, double to, std::vector<double>& x) {
         moved_.clear();
+        ++shifts_;
         constexpr int kMostPushed = 4; // runs, one by the other
         const bool fits = push(run, to, kMostPushed, x);
         const std::ptrdiff_t after = fits ? bent_edges(x) : 0;
@@ -84,6 +85,7 @@ class StepRemover : public LevelNeighbours {
         if (std::any_of(run.begin(), run.end(), [&](std::uint32_t v) { return is_moved(v); })) return false;
         for (const std::uint32_t v : run) {
             moved_.emplace_back(v, x[v]);
+            moved_by_[v] = shifts_;
             x[v] = to;
         }
         for (const std::uint32_t v : run) {
@@ -100,9 +102,7 @@ class StepRemover : public LevelNeighbours {
         return leftwards ? x[v] >= bound(v, x, true) : x[v] <= bound(v, x, false);
     }
 
-    [[nodiscard]] bool is_moved(std::uint32_t node) const {
-        return std::any_of(moved_.begin(), moved_.end(), [&](const auto& m) { return m.first == node; });
-    }
+    [[nodiscard]] bool is_moved(std::uint32_t node) const { return moved_by_[node] == shifts_; }
 
     // Edges at what moved that are not one straight vertical; both ends count where both moved, before and after alike.
     [[nodiscard]] std::ptrdiff_t bent_edges(const std::vector<double>& x) const {
@@ -168,6 +168,8 @@ class StepRemover : public LevelNeighbours {
     }
 
     std::vector<std::pair<std::uint32_t, double>> moved_; // by the last shift: node and its place before
+    std::vector<std::uint32_t> moved_by_;                 // by node: the last shift that moved it
+    std::uint32_t shifts_ = 0;
 };
 
 } // namespace
