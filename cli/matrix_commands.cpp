@@ -97,9 +97,10 @@ void warn_of_small_print(const Context& context, const MatrixOptions& options, c
     const double size = drawing.boxes.front().text_size * paint::plan_poster(drawing, pdf.poster).scale;
     if (size >= kLegible) return;
     const std::string paper = "A" + options.paper.substr(1); // as paper is called, however it was typed
-    context.say(fmt::format("{}: on one sheet of {} the numbers are {:.1f} pt high; larger paper or --paging poster makes "
-                            "them legible",
-                            options.output, paper, size));
+    context.say(
+        fmt::format("{}: on one sheet of {} the numbers are {:.1f} pt high; larger paper or --paging poster makes "
+                    "them legible",
+                    options.output, paper, size));
 }
 
 void run_draw(const Context& context, const MatrixOptions& options, MatrixKind kind) {

@@ -79,7 +79,7 @@ class PdfMaker {
     static constexpr double kHeading = 24.0;
     static constexpr double kIndexGutter = 20.0; // between columns
     static constexpr double kLeader = 14.0;      // from the longest name to the sheet
-    static constexpr double kIndexGap = 18.0; // between map and index on one page
+    static constexpr double kIndexGap = 18.0;    // between map and index on one page
     static constexpr Colour kSheetInk = 0x1f5fa8;
 
     // Columns as wide as their entries need, but a few long names must not make all the others' columns wide: those

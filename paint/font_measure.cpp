@@ -21,14 +21,14 @@ namespace {
 // what it says of them is the width of its sign for a missing one.
 bool is_wide(char32_t c) {
     constexpr std::array<std::pair<char32_t, char32_t>, 9> kRanges = {{{0x1100, 0x115F},
-                                                                        {0x2E80, 0xA4CF},
-                                                                        {0xAC00, 0xD7A3},
-                                                                        {0xF900, 0xFAFF},
-                                                                        {0xFE30, 0xFE6F},
-                                                                        {0xFF00, 0xFF60},
-                                                                        {0xFFE0, 0xFFE6},
-                                                                        {0x1F300, 0x1FAFF},
-                                                                        {0x20000, 0x3FFFD}}};
+                                                                       {0x2E80, 0xA4CF},
+                                                                       {0xAC00, 0xD7A3},
+                                                                       {0xF900, 0xFAFF},
+                                                                       {0xFE30, 0xFE6F},
+                                                                       {0xFF00, 0xFF60},
+                                                                       {0xFFE0, 0xFFE6},
+                                                                       {0x1F300, 0x1FAFF},
+                                                                       {0x20000, 0x3FFFD}}};
     return std::any_of(kRanges.begin(), kRanges.end(),
                        [&](const auto& range) { return c >= range.first && c <= range.second; });
 }

@@ -14,9 +14,9 @@ namespace {
 constexpr double kScale = 0.75; // of the drawing's own legend
 constexpr double kSample = 26.0 * kScale;
 constexpr double kRow = 13.0 * kScale + 3.5;
-constexpr double kGap = 4.0;       // between sample and words
-constexpr double kBetween = 14.0;  // from the words to the next sample
-constexpr double kBaseLine = 7.4;  // of the words, below the row's upper edge
+constexpr double kGap = 4.0;      // between sample and words
+constexpr double kBetween = 14.0; // from the words to the next sample
+constexpr double kBaseLine = 7.4; // of the words, below the row's upper edge
 
 } // namespace
 

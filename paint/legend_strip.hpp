@@ -18,6 +18,7 @@ struct LegendStrip {
         std::size_t text = 0;   ///< position of its words in MatrixDrawing::texts
         strat::DrawPoint at;    ///< upper left corner, from that of the strip [pt]
     };
+
     std::vector<Entry> entries;
     double height = 0.0; ///< [pt]; 0 without a legend
 };

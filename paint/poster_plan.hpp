@@ -42,9 +42,9 @@ struct SheetEntry {
 struct PosterPlan {
     double page_width = 0.0; ///< [pt]
     double page_height = 0.0;
-    double scale = 1.0;      ///< paper points per drawing point
+    double scale = 1.0;       ///< paper points per drawing point
     double title_block = 0.0; ///< its height at the foot of each page [pt]; a poster's has the legend in it
-    strat::DrawRect content; ///< on the page [pt]: where the part is painted
+    strat::DrawRect content;  ///< on the page [pt]: where the part is painted
     std::size_t rows = 0;
     std::size_t columns = 0;
     std::vector<Sheet> sheets; ///< row by row; sheets that would be empty are left out

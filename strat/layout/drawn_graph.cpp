@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "core/base/text.hpp"
+#include "strat/layout/band_choice.hpp"
 #include "strat/layout/box_label.hpp"
 #include "strat/layout/drawing_style.hpp"
 #include "strat/layout/graph_selection.hpp"
@@ -25,10 +25,6 @@ using model::UnitKind;
 
 std::string one_line(const std::string& words) { return text::on_one_line(words).text; }
 
-std::string heading_of(const std::string& number, const std::string& title) {
-    return one_line(title.empty() || title == number ? number : number + " " + title);
-}
-
 class GraphMaker {
   public:
     explicit GraphMaker(const LayoutRequest& request)
@@ -42,7 +38,7 @@ class GraphMaker {
         make_ids_unique();
         make_orders();
         make_contemporaries();
-        choose_bands();
+        choose_bands(record_, request_.options, graph_);
         choose_groups();
         place_previous();
         describe();
@@ -285,117 +281,6 @@ class GraphMaker {
                                     graph_.contemporaries.end());
     }
 
-    // Most boxes have one, they are few enough to structure the page, and their order in time is known.
-    template<class Values>
-    [[nodiscard]] bool serve_as_bands(const std::vector<std::int32_t>& keys, const std::vector<Values>& values) const {
-        constexpr std::size_t kMostBands = 16;
-        constexpr std::size_t kBoxesEach = 3;
-        std::size_t with = 0;
-        std::unordered_set<std::int32_t> used;
-        for (const GraphBox& b : graph_.boxes) {
-            const std::int32_t key = keys[b.units.front()];
-            if (key < 0) continue;
-            ++with;
-            used.insert(key);
-        }
-        const bool dated = std::all_of(used.begin(), used.end(), [&](std::int32_t key) {
-            const Values& value = values[static_cast<std::size_t>(key)];
-            return value.rank.has_value() || value.from.has_value() || value.to.has_value();
-        });
-        return with * 5 >= graph_.boxes.size() * 4 && !used.empty() && used.size() <= kMostBands &&
-               used.size() * kBoxesEach <= graph_.boxes.size() + kBoxesEach && dated;
-    }
-
-    void choose_bands() {
-        Bands bands = request_.options.bands;
-        const bool asked = bands != Bands::Automatic;
-        if (request_.options.fold != Fold::None || bands == Bands::None) return;
-        const std::vector<std::int32_t> phases = fold_keys(record_, Fold::Phases);
-        const std::vector<std::int32_t> periods = fold_keys(record_, Fold::Periods);
-        if (bands == Bands::Automatic) {
-            if (serve_as_bands(phases, record_.phases)) {
-                bands = Bands::Phases;
-            } else if (serve_as_bands(periods, record_.periods)) {
-                bands = Bands::Periods;
-            } else {
-                return;
-            }
-        }
-        make_bands(bands, bands == Bands::Phases ? phases : periods);
-        if (asked || !many_against_bands()) return;
-        graph_.bands.clear();
-        for (GraphBox& b : graph_.boxes) b.band = kNoBand;
-    }
-
-    // Each order against the bands is a line upwards around the others: a few show what to look at, many leave
-    // nothing to be seen of the sequence.
-    [[nodiscard]] bool many_against_bands() const {
-        constexpr std::size_t kOneIn = 20;
-        std::size_t against = 0;
-        for (const GraphOrder& o : graph_.orders) {
-            const std::int32_t later = graph_.boxes[o.later].band;
-            const std::int32_t earlier = graph_.boxes[o.earlier].band;
-            if (later != kNoBand && earlier != kNoBand && later > earlier) ++against;
-        }
-        return against * kOneIn > graph_.orders.size();
-    }
-
-    // Time of a phase or period for sorting: ranks first, then years, then the number.
-    struct BandKey {
-        std::array<std::int64_t, 4> time{};
-        std::string number;
-        std::int32_t position = -1;
-    };
-
-    [[nodiscard]] BandKey key_of_period(std::int32_t p) const {
-        BandKey key;
-        if (p < 0) return key;
-        const model::Period& period = record_.periods[static_cast<std::size_t>(p)];
-        key.time = {period.rank.value_or(0), period.from.value_or(period.to.value_or(0)), 0, 0};
-        key.number = period.number;
-        key.position = p;
-        return key;
-    }
-
-    [[nodiscard]] BandKey key_of_phase(std::int32_t p) const {
-        const model::Phase& phase = record_.phases[static_cast<std::size_t>(p)];
-        const auto period = std::find_if(record_.periods.begin(), record_.periods.end(),
-                                         [&](const model::Period& c) { return c.id == phase.period; });
-        BandKey key = key_of_period(
-            period == record_.periods.end() ? -1 : static_cast<std::int32_t>(period - record_.periods.begin()));
-        key.time[2] = phase.rank.value_or(0);
-        key.time[3] = phase.from.value_or(phase.to.value_or(0));
-        key.number = phase.number;
-        key.position = p;
-        return key;
-    }
-
-    void make_bands(Bands bands, const std::vector<std::int32_t>& keys) {
-        std::vector<BandKey> used;
-        std::unordered_set<std::int32_t> seen;
-        for (const GraphBox& b : graph_.boxes) {
-            const std::int32_t key = keys[b.units.front()];
-            if (key < 0 || !seen.insert(key).second) continue;
-            used.push_back(bands == Bands::Phases ? key_of_phase(key) : key_of_period(key));
-        }
-        std::sort(used.begin(), used.end(), [](const BandKey& a, const BandKey& b) {
-            if (a.time != b.time) return a.time > b.time; // latest first
-            if (const auto order = text::natural_order(a.number, b.number); order != 0) return order > 0;
-            return a.position < b.position;
-        });
-        std::unordered_map<std::int32_t, std::int32_t> band_of;
-        for (const BandKey& key : used) {
-            band_of.emplace(key.position, static_cast<std::int32_t>(graph_.bands.size()));
-            const auto at = static_cast<std::size_t>(key.position);
-            const std::string& title = bands == Bands::Phases ? record_.phases[at].title : record_.periods[at].title;
-            graph_.bands.push_back({xml_id("band-", key.number), heading_of(key.number, title), 0.0});
-        }
-        for (GraphBox& b : graph_.boxes) {
-            const auto band = band_of.find(keys[b.units.front()]);
-            if (band != band_of.end()) b.band = band->second;
-        }
-    }
-
     void choose_groups() {
         if (request_.options.frames == Frames::None || request_.options.fold == Fold::Groups) return;
         const std::vector<std::int32_t> keys = fold_keys(record_, Fold::Groups);
@@ -406,7 +291,7 @@ class GraphMaker {
             const auto [it, fresh] = used.emplace(key, static_cast<std::int32_t>(graph_.groups.size()));
             if (fresh) {
                 const model::UnitGroup& group = record_.groups[static_cast<std::size_t>(key)];
-                const std::string heading = heading_of(group.number, group.title);
+                const std::string heading = heading_with(group.number, group.title);
                 graph_.groups.push_back({xml_id("group-", group.number), heading,
                                          request_.text.width(heading, style::kSmallText, FontWeight::Regular)});
             }

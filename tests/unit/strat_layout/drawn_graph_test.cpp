@@ -54,7 +54,8 @@ TEST_CASE("A box of several names them in natural order, and its lines say what 
     for (model::StratigraphicUnit& unit : record.units) unit.area = record.areas[unit.number == "5" ? 1 : 0].id;
     model::sort_record(record);
     const DrawnGraph graph = graph_of(record);
-    const auto box = std::find_if(graph.boxes.begin(), graph.boxes.end(), [](const GraphBox& b) { return b.units.size() > 1; });
+    const auto box =
+        std::find_if(graph.boxes.begin(), graph.boxes.end(), [](const GraphBox& b) { return b.units.size() > 1; });
     REQUIRE(box != graph.boxes.end());
     CHECK(box->box.names == std::vector<std::string>{"4", "5", "10"});
     CHECK(box->box.id == "unit-4");

@@ -40,7 +40,8 @@ TEST_CASE("What is too much goes from the middle where names differ at their end
 TEST_CASE("A long name is broken, not cut off, behind a blank or sign where one is near") {
     const TableTextMeasure measure;
     const TextLook look{9.0, FontWeight::Regular};
-    for (const std::string name : {"", "1017", "Südquadrant/Schnitt-4/1017", "ÄÖÜäöüÄÖÜäöüÄÖÜäöüÄÖÜäöü", "a b c d e f"}) {
+    for (const std::string name :
+         {"", "1017", "Südquadrant/Schnitt-4/1017", "ÄÖÜäöüÄÖÜäöüÄÖÜäöüÄÖÜäöü", "a b c d e f"}) {
         const std::vector<std::string> lines = broken_anywhere(name, 40.0, look, measure);
         REQUIRE_FALSE(lines.empty());
         std::string together;
