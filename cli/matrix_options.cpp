@@ -56,7 +56,8 @@ void refuse_lonely_options(const CLI::App& command, const MatrixOptions& options
         refuse("a poster needs paper to be cut to; say --paper A4, A3, A2, A1 or A0");
     }
     if (given("--bands") && given("--fold") && draw.bands != "none") refuse("folded drawings have no bands");
-    if (draw.frames && draw.fold == "groups") refuse("folded groups have no frames");
+    // A folded box can hold units of several groups and of none; a frame around it would say otherwise.
+    if (draw.frames && !draw.fold.empty()) refuse("folded drawings have no frames");
     if (draw.evidence && (given("--since") || given("--compare"))) {
         refuse("evidence and comparisons both colour the lines; take one of them");
     }
