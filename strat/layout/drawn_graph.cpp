@@ -132,7 +132,11 @@ class GraphMaker {
         box.lines = broken_title(title.empty() || title == number ? number : number + " " + title, request_.text);
         if (box.lines.empty()) box.lines.emplace_back("?");
         const std::size_t count = out.units.size();
-        const auto all = static_cast<std::size_t>(std::count(fold_keys_.begin(), fold_keys_.end(), folded));
+        std::size_t all = 0; // merged units fold together, whatever else each of them belongs to
+        for (NodeIndex node = 0; node < request_.matrix.node_count(); ++node) {
+            const auto members = request_.matrix.members(node);
+            if (fold_keys_[members.front()] == folded) all += members.size();
+        }
         box.lines.push_back(counted(request_.options.words, count, all));
         box.title = fmt::format("{} {}: {}", number, title, counted({}, count, all));
     }

@@ -71,6 +71,11 @@ TEST_CASE("A folded box of which only a part is drawn says so") {
     CHECK(graph_of(builder.record(), options).boxes.front().box.lines.back() == "3 units");
     options.only = {builder.id("2"), builder.id("3"), builder.id("4")};
     CHECK(graph_of(builder.record(), options).boxes.front().box.lines.back() == "2 of 3 units");
+    options.only.clear();
+    builder.phase("9", "A", 1).relate("3", model::RelationKind::SameAs, "9"); // folds with 3
+    for (const GraphBox& b : graph_of(builder.record(), options).boxes) {
+        CHECK_THAT(b.box.lines.back(), !Catch::Contains(" of "));
+    }
 }
 
 TEST_CASE("A neighbourhood keeps the orders that hold by way of units left out") {
