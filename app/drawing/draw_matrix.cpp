@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -63,17 +64,15 @@ std::unique_ptr<strat::LayoutEngine> engine_of(const DrawRequest& request) {
     throw Error(ErrorCode::Usage, "engine: " + request.engine + " is none of planum, graphviz");
 }
 
-void colour_by_evidence(Project& project, const DrawRequest& request, const strat::TextMeasure& text,
-                        strat::MatrixDrawing& drawing, Progress& progress) {
-    const DailyCheck check = check_project(project, request.interpretation, progress);
+void colour_by_evidence(Project& project, const DrawRequest& request, const DailyCheck& check,
+                        const strat::TextMeasure& text, strat::MatrixDrawing& drawing) {
     const auto verdicts = strat::line_verdicts(drawing, strat::DrawingIndex(drawing),
                                                interpreted(project.record(), request.interpretation), check.verdicts);
     strat::show_evidence(drawing, verdicts,
                          request.language == "de" ? strat::german_evidence_words() : strat::EvidenceWords{}, text);
 }
 
-void keep_problems(Project& project, const DrawRequest& request, strat::DrawingOptions& options, Progress& progress) {
-    const DailyCheck check = check_project(project, request.interpretation, progress);
+void keep_problems(const DailyCheck& check, strat::DrawingOptions& options) {
     std::set<model::UnitId> units;
     for (const model::Diagnostic& problem : check.problems) {
         if (problem.severity == model::Severity::Info || problem.relations.empty()) continue;
@@ -204,7 +203,9 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     }
     options.only = request.only;
     if (!request.only.empty()) options.subtitle = request.only_what;
-    if (request.problems_only) keep_problems(project, request, options, progress);
+    std::optional<DailyCheck> check;
+    if (request.problems_only || request.evidence) check = check_project(project, request.interpretation, progress);
+    if (request.problems_only) keep_problems(*check, options);
     model::Record drawn = interpreted(project.record(), request.interpretation);
     refuse_what_is_not_there(drawn, options);
     if (!request.since.empty() && !request.compared_with.empty()) {
@@ -227,7 +228,7 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     }
     progress.step("drawing");
     strat::MatrixDrawing drawing = engine_of(request)->draw({drawn, matrix, text, options, previous}, progress);
-    if (request.evidence) colour_by_evidence(project, request, text, drawing, progress);
+    if (request.evidence) colour_by_evidence(project, request, *check, text, drawing);
     return drawing;
 }
 

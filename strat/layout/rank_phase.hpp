@@ -12,7 +12,7 @@ namespace planum::strat {
 struct Ranking {
     std::vector<std::int32_t> rank;       ///< by box; isolated ones have 0
     std::vector<bool> upwards;            ///< by order: against a cycle's best reading, or against the bands
-    std::vector<std::uint32_t> component; ///< by box: parts of the graph that no order joins
+    std::vector<std::uint32_t> component; ///< by box: parts that no order, contemporaneity or frame joins
     std::uint32_t component_count = 0;
     /// First level of each band and, last, the level after them; empty without bands.
     std::vector<std::int32_t> band_begin;
