@@ -474,6 +474,45 @@
     </message>
 </context>
 <context>
+    <name>papers</name>
+    <message>
+        <source>no file is named</source>
+        <translation>keine Datei genannt</translation>
+    </message>
+    <message>
+        <source>%1 is not shown: it is not in the project&apos;s folder</source>
+        <translation>%1 wird nicht gezeigt: liegt nicht im Ordner des Projekts</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>%1 is no file</source>
+        <translation>%1 ist keine Datei</translation>
+    </message>
+    <message>
+        <source>%1 may not be read by this user</source>
+        <translation>%1 darf dieser Benutzer nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1 is too large to be shown: %2 MB, up to %3 MB are</source>
+        <translation>%1 ist zu groß: %2 MB, gezeigt werden bis %3 MB</translation>
+    </message>
+    <message>
+        <source>%1 is too large to be shown: %2 × %3 pixels, up to %4 million are</source>
+        <translation>%1 ist zu groß: %2 × %3 Bildpunkte, gezeigt werden bis %4 Millionen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a picture: %2</source>
+        <translation>%1 lässt sich nicht als Bild lesen: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no picture of a kind that can be shown here</source>
+        <translation>%1 ist kein Bild einer Art, die hier gezeigt werden kann</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::BackupRotation</name>
     <message>
         <source>Keeping a copy</source>
@@ -1457,6 +1496,40 @@
     <message>
         <source>%1 m², %2 m</source>
         <translation>%1 m², %2 m</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PhotoStrip</name>
+    <message>
+        <source>Photos and drawings</source>
+        <translation>Fotos und Zeichnungen</translation>
+    </message>
+    <message>
+        <source>Reading photos</source>
+        <translation>Fotos werden gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PhotoWindow</name>
+    <message>
+        <source>Previous</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>reading the picture …</source>
+        <translation>das Bild wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Bildpunkte</translation>
+    </message>
+    <message>
+        <source>Reading photos</source>
+        <translation>Fotos werden gelesen</translation>
     </message>
 </context>
 <context>

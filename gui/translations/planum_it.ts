@@ -474,6 +474,45 @@
     </message>
 </context>
 <context>
+    <name>papers</name>
+    <message>
+        <source>no file is named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not shown: it is not in the project&apos;s folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 may not be read by this user</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is too large to be shown: %2 MB, up to %3 MB are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is too large to be shown: %2 × %3 pixels, up to %4 million are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a picture: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no picture of a kind that can be shown here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::BackupRotation</name>
     <message>
         <source>Keeping a copy</source>
@@ -1456,6 +1495,40 @@
     </message>
     <message>
         <source>%1 m², %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PhotoStrip</name>
+    <message>
+        <source>Photos and drawings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading photos</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::PhotoWindow</name>
+    <message>
+        <source>Previous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the picture …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading photos</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -7,6 +7,7 @@
 
 #include "app/records/record_kind.hpp"
 #include "core/base/text.hpp"
+#include "gui/viewmodels/paper_file.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -37,6 +38,7 @@ void UnitCardModel::refresh() {
     fields_.clear();
     relations_.clear();
     lines_.clear();
+    pictures_.clear();
     history_.clear();
     const auto& snapshot = workspace_.snapshot();
     const model::UnitIndex at = snapshot ? snapshot->index().find(workspace_.selected()) : model::kNoUnit;
@@ -46,6 +48,7 @@ void UnitCardModel::refresh() {
         fields_ = card_fields(*snapshot, at);
         fill_relations(at);
         fill_lines();
+        fill_papers();
     }
     emit changed();
 }
@@ -98,9 +101,26 @@ void UnitCardModel::fill_lines() {
     for (const model::Dating& dating : record.datings) {
         if (dating.unit == unit_) lines_.push_back({tr("date"), joined({dating.label, to_word(dating.kind)})});
     }
-    for (const model::Document& paper : record.documents) {
-        if (paper.unit != unit_) continue;
-        lines_.push_back({paper.type.empty() ? tr("paper") : qt(paper.type), joined({paper.number, paper.title})});
+}
+
+void UnitCardModel::fill_papers() {
+    std::vector<const model::Document*> papers;
+    for (const model::Document& paper : workspace_.snapshot()->record().documents) {
+        if (paper.unit == unit_) papers.push_back(&paper);
+    }
+    std::stable_sort(papers.begin(), papers.end(), [](const model::Document* a, const model::Document* b) {
+        return text::natural_order(a->number, b->number) < 0;
+    });
+    for (const model::Document* paper : papers) {
+        const QString type = paper->type.empty() ? tr("paper") : qt(paper->type);
+        const QString name = joined({paper->number, paper->title});
+        const QString path = qt(paper->path);
+        if (names_picture(path)) {
+            pictures_.push_back(
+                {paper->id, type + QLatin1Char(' ') + name, path, joined({paper->made_on, paper->author})});
+        } else {
+            lines_.push_back({type, name, path});
+        }
     }
 }
 

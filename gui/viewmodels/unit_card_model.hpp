@@ -36,12 +36,23 @@ struct CardRelation {
 
 /// One line of the things that belong to a unit.
 struct CardLine {
-    QString kind; ///< level, find, sample, photo
+    QString kind; ///< level, find, sample, sheet
     QString text;
+    QString path = {}; ///< of a paper that names its file; else empty
+};
+
+/// A photo or document of a unit that is shown as a picture.
+struct CardPicture {
+    model::DocumentId id;
+    QString title; ///< `photo 12, the pit from the east`
+    QString path;  ///< as recorded, relative to the project
+    QString made;  ///< day and author, as far as they are known
+
+    friend bool operator==(const CardPicture&, const CardPicture&) = default;
 };
 
 /// The record card of the unit that is selected: the few fields of the first screen, the full record behind,
-/// its relations read from its side, levels, finds, samples, papers, and what was changed when by whom.
+/// its relations read from its side, levels, finds, samples, papers, photos, and what was changed when by whom.
 class UnitCardModel : public QObject {
     Q_OBJECT
 
@@ -58,6 +69,9 @@ class UnitCardModel : public QObject {
     [[nodiscard]] const std::vector<CardRelation>& relations() const noexcept { return relations_; }
 
     [[nodiscard]] const std::vector<CardLine>& lines() const noexcept { return lines_; }
+
+    /// Documents whose files are pictures, by natural number; papers without one are lines.
+    [[nodiscard]] const std::vector<CardPicture>& pictures() const noexcept { return pictures_; }
 
     /// Log of the unit, newest first; comes some milliseconds after the rest (historyChanged).
     [[nodiscard]] const QStringList& history() const noexcept { return history_; }
@@ -81,6 +95,7 @@ class UnitCardModel : public QObject {
     void refresh();
     void fill_relations(model::UnitIndex unit);
     void fill_lines();
+    void fill_papers();
 
     Workspace& workspace_;
     model::UnitId unit_;
@@ -88,6 +103,7 @@ class UnitCardModel : public QObject {
     std::vector<CardField> fields_;
     std::vector<CardRelation> relations_;
     std::vector<CardLine> lines_;
+    std::vector<CardPicture> pictures_;
     QStringList history_;
 };
 

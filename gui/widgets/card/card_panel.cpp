@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "gui/viewmodels/models.hpp"
+#include "gui/widgets/card/photo_strip.hpp"
 #include "gui/widgets/card/relation_entry_bar.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -69,7 +70,7 @@ CardPanel::CardPanel(Models& models)
     : models_(models), title_(new QLabel), subtitle_(new QLabel), new_number_(new QLineEdit),
       more_(new QPushButton(tr("Full record"))), delete_(new QPushButton(tr("Delete"))),
       entry_(new RelationEntryBar(models)), fields_(new QWidget), relations_(new QWidget), lines_(new QWidget),
-      history_(new QLabel), body_(new QWidget), nothing_(new QLabel) {
+      photos_(new PhotoStrip(models.workspace)), history_(new QLabel), body_(new QWidget), nothing_(new QLabel) {
     setObjectName(QStringLiteral("card"));
     title_->setProperty("role", "title");
     title_->setObjectName(QStringLiteral("cardTitle"));
@@ -111,6 +112,7 @@ CardPanel::CardPanel(Models& models)
     column->addWidget(subtitle_);
     column->addWidget(fields_);
     column->addWidget(relations_);
+    column->addWidget(photos_);
     column->addWidget(lines_);
     column->addWidget(label(tr("Changes"), "heading"));
     column->addWidget(history_);
@@ -169,6 +171,7 @@ void CardPanel::show_card() {
     show_fields();
     show_relations();
     show_lines();
+    photos_->show_pictures(models_.card.pictures());
     history_->clear();
     models_.card.load_history();
 }
@@ -260,7 +263,9 @@ void CardPanel::show_lines() {
     auto* column = static_cast<QVBoxLayout*>(lines_->layout());
     column->addWidget(label(tr("Levels, finds, papers"), "heading"));
     for (const CardLine& line : models_.card.lines()) {
-        column->addWidget(new QLabel(line.kind + QStringLiteral("  ") + line.text));
+        auto* said = new QLabel(line.kind + QStringLiteral("  ") + line.text);
+        said->setToolTip(line.path);
+        column->addWidget(said);
     }
 }
 

@@ -14,10 +14,11 @@ namespace planum::gui {
 
 struct CardField;
 struct Models;
+class PhotoStrip;
 class RelationEntryBar;
 
-/// The record card: few fields first, the full record behind a button; relations with their entry; levels, finds and
-/// papers; what was changed. Everything is saved when a field is left.
+/// The record card: few fields first, the full record behind a button; relations with their entry; levels, finds,
+/// papers and photos; what was changed. Everything is saved when a field is left.
 class CardPanel : public QWidget {
     Q_OBJECT
 
@@ -44,6 +45,7 @@ class CardPanel : public QWidget {
     QWidget* fields_;
     QWidget* relations_;
     QWidget* lines_;
+    PhotoStrip* photos_;
     QLabel* history_;
     QWidget* body_;
     QLabel* nothing_;
