@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "gui/desktop.hpp"
 
+#include <unistd.h>
+
 #include <QApplication>
-#include <QCommandLineOption>
-#include <QCommandLineParser>
 #include <QObject>
 #include <QStandardPaths>
 #include <QStringList>
@@ -14,7 +14,9 @@
 #include <string_view>
 
 #include "core/base/error.hpp"
+#include "gui/desktop_arguments.hpp"
 #include "gui/viewmodels/backup_rotation.hpp"
+#include "gui/viewmodels/models.hpp"
 #include "gui/widgets/language.hpp"
 #include "gui/widgets/theme.hpp"
 #include "gui/widgets/window/main_window.hpp"
@@ -24,81 +26,7 @@ namespace planum::gui {
 
 namespace {
 
-struct Arguments {
-    QString site;
-    ScreenshotRequest screenshot;
-    ThemeKind theme = ThemeKind::Light;
-    QString language; ///< `de`; empty: as chosen in the window, else the system's
-    bool read_only = false;
-    bool help = false;
-    bool version = false;
-    QString help_text;
-};
-
-// Throws Usage.
-Arguments read_arguments(const QStringList& given) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("The stratigraphy of a dig, to see and to draw on."));
-    parser.addPositionalArgument(QStringLiteral("SITE"), QStringLiteral("the project file (NAME.gpkg)"));
-    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
-                                  QStringLiteral("Print this help and exit."));
-    const QCommandLineOption version(QStringLiteral("version"), QStringLiteral("Print the version and exit."));
-    const QCommandLineOption shot(QStringLiteral("screenshot"),
-                                  QStringLiteral("Write a picture of the window with VIEW in front, and exit."),
-                                  QStringLiteral("VIEW"));
-    const QCommandLineOption output({QStringLiteral("o"), QStringLiteral("output")},
-                                    QStringLiteral("File of the picture (PNG)."), QStringLiteral("FILE"));
-    const QCommandLineOption unit(QStringLiteral("unit"), QStringLiteral("Select this unit first."),
-                                  QStringLiteral("NUMBER"));
-    const QCommandLineOption problem(QStringLiteral("problem"),
-                                     QStringLiteral("Open the first problem of this kind (problems only)."),
-                                     QStringLiteral("CODE"));
-    const QCommandLineOption size(QStringLiteral("size"),
-                                  QStringLiteral("Size of the picture, WIDTHxHEIGHT in pixels."),
-                                  QStringLiteral("SIZE"), QStringLiteral("1600x1000"));
-    const QCommandLineOption theme_option(QStringLiteral("theme"), QStringLiteral("light, dark or sunlight."),
-                                          QStringLiteral("THEME"), QStringLiteral("light"));
-    const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("en, de, it or fr."),
-                                      QStringLiteral("LANGUAGE"));
-    const QCommandLineOption read_only(QStringLiteral("read-only"), QStringLiteral("Change nothing."));
-    parser.addOptions({help, version, shot, output, unit, problem, size, theme_option, language, read_only});
-    if (!parser.parse(given)) throw Error(ErrorCode::Usage, parser.errorText().toStdString());
-    Arguments arguments;
-    arguments.help = parser.isSet(help);
-    arguments.version = parser.isSet(version);
-    arguments.help_text = parser.helpText();
-    arguments.read_only = parser.isSet(read_only);
-    arguments.language = parser.value(language);
-    if (parser.isSet(language) && !languages().contains(arguments.language)) {
-        throw Error(ErrorCode::Usage, "language: " + arguments.language.toStdString() + " is none of en, de, it, fr");
-    }
-    arguments.theme = theme_from_word(parser.value(theme_option));
-    if (to_word(arguments.theme) != parser.value(theme_option)) {
-        throw Error(ErrorCode::Usage,
-                    "theme: " + parser.value(theme_option).toStdString() + " is none of light, dark, sunlight");
-    }
-    if (!parser.positionalArguments().isEmpty()) arguments.site = parser.positionalArguments().first();
-    if (parser.positionalArguments().size() > 1) throw Error(ErrorCode::Usage, "one project at a time");
-    arguments.screenshot.view = parser.value(shot).toStdString();
-    arguments.screenshot.output = parser.value(output).toStdString();
-    arguments.screenshot.unit = parser.value(unit).toStdString();
-    arguments.screenshot.problem = parser.value(problem).toStdString();
-    const QStringList numbers = parser.value(size).split(QLatin1Char('x'));
-    if (numbers.size() == 2) {
-        arguments.screenshot.width = numbers[0].toInt();
-        arguments.screenshot.height = numbers[1].toInt();
-    }
-    if (arguments.screenshot.width < 200 || arguments.screenshot.height < 200 || arguments.screenshot.width > 20000 ||
-        arguments.screenshot.height > 20000) {
-        throw Error(ErrorCode::Usage, "size: between 200x200 and 20000x20000");
-    }
-    if (!arguments.screenshot.view.empty() && (arguments.site.isEmpty() || arguments.screenshot.output.empty())) {
-        throw Error(ErrorCode::Usage, "--screenshot wants -o FILE and SITE");
-    }
-    return arguments;
-}
-
-int take_screenshot(const Arguments& arguments) {
+int take_screenshot(const DesktopArguments& arguments) {
     MainWindow window;
     bool failed = false;
     QObject::connect(&window.models().workspace, &Workspace::failed, [&](const QString& sentence) {
@@ -110,6 +38,29 @@ int take_screenshot(const Arguments& arguments) {
     return failed ? exit_status(ErrorCode::BadInput) : 0;
 }
 
+// Settles on the project; false where it said why it cannot be opened.
+bool open_and_wait(Workspace& workspace, const QString& site) {
+    QObject::connect(&workspace, &Workspace::failed, [](const QString& sentence) {
+        std::cerr << "planum-desktop: " << sentence.toStdString() << '\n';
+    });
+    workspace.open(site.toStdString(), store::OpenMode::ReadOnly);
+    constexpr int kPatience = 120'000; // [ms]
+    if (!workspace.jobs().wait_until_idle(kPatience))
+        throw Error(ErrorCode::Io, "the project was not open after two minutes");
+    return workspace.is_open();
+}
+
+int take_flight(const DesktopArguments& arguments) {
+    Models models;
+    if (!open_and_wait(models.workspace, arguments.site)) return exit_status(ErrorCode::BadInput);
+    const bool on_terminal = isatty(STDERR_FILENO) != 0;
+    write_flight(models, arguments.flight, [&](int written, int all) {
+        if (on_terminal)
+            std::cerr << "\rframe " << written << " of " << all << (written == all ? "\n" : "") << std::flush;
+    });
+    return 0;
+}
+
 } // namespace
 
 int run_desktop(int argc, char** argv) {
@@ -117,14 +68,16 @@ int run_desktop(int argc, char** argv) {
     bool picture = false;
     for (int i = 0; i < argc; ++i) {
         given << QString::fromLocal8Bit(argv[i]);
-        picture = picture || std::string_view(argv[i]).substr(0, 12) == "--screenshot";
+        const std::string_view word = argv[i];
+        picture = picture || word.substr(0, 12) == "--screenshot" || word.substr(0, 8) == "--flight";
     }
     try {
-        const Arguments arguments = read_arguments(given);
+        const DesktopArguments arguments = read_desktop_arguments(given);
         if (arguments.help) return std::cout << arguments.help_text.toStdString(), 0;
         if (arguments.version) return std::cout << "planum-desktop " PLANUM_VERSION "\n", 0;
         // A picture needs no display, and must not fail for a wrong one; 3D alone cannot do without.
-        const bool wants_display = arguments.screenshot.view == "3d" && qEnvironmentVariableIsSet("DISPLAY");
+        const bool flies = !arguments.flight.cameras.empty();
+        const bool wants_display = (flies || arguments.screenshot.view == "3d") && qEnvironmentVariableIsSet("DISPLAY");
         if (picture && !wants_display && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
             qputenv("QT_QPA_PLATFORM", "offscreen");
         // What Qt finds missing where there is no display is nobody's concern.
@@ -134,6 +87,7 @@ int run_desktop(int argc, char** argv) {
         QApplication::setOrganizationName(QStringLiteral("Planum"));
         apply_theme(arguments.theme);
         apply_language(arguments.language);
+        if (flies) return take_flight(arguments);
         if (picture) return take_screenshot(arguments);
         MainWindow window;
         if (!arguments.site.isEmpty()) {

@@ -26,6 +26,8 @@ planum_program_test(gui/verbs_in_table gui python3 ${PROJECT_SOURCE_DIR}/tests/g
 if(TARGET planum-desktop AND NOT PLANUM_SANITIZE)
   planum_program_test(gui/without_opengl gui ${PROJECT_SOURCE_DIR}/tests/gui/without_opengl.sh $<TARGET_FILE:planum>
     $<TARGET_FILE:planum-desktop>)
+  planum_program_test(gui/flight gui ${PROJECT_SOURCE_DIR}/tests/gui/flight.sh $<TARGET_FILE:planum> $<TARGET_FILE:planum-desktop>
+    ${PROJECT_SOURCE_DIR}/schema/json)
 endif()
 find_program(PLANUM_LUPDATE lupdate HINTS /usr/lib/qt6/bin)
 if(PLANUM_LUPDATE)

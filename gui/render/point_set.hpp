@@ -11,6 +11,7 @@
 #include "core/base/progress.hpp"
 #include "core/geometry/rigid.hpp"
 #include "gui/render/camera.hpp"
+#include "gui/render/point_colour.hpp"
 #include "scans/cloud/point_store.hpp"
 
 namespace planum::gui {
@@ -21,8 +22,6 @@ struct ShownScan {
     geometry::Rigid3 site_from_scan;
     std::uint32_t tint = 0x808080; ///< of the day or surface, 0xRRGGBB
 };
-
-enum class PointColour { Intensity, Colour, Height, Day, Unit };
 
 /// Colours of the ground in plan, cell by cell: which unit lies there. 0 where none does.
 struct TintGrid {

@@ -740,6 +740,33 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::FlightCameras</name>
+    <message>
+        <source>Reading the cameras of the flight</source>
+        <translation>Die Kameras des Fluges werden gelesen</translation>
+    </message>
+    <message>
+        <source>placing a camera</source>
+        <translation>Kamera setzen</translation>
+    </message>
+    <message>
+        <source>forgetting the cameras</source>
+        <translation>Kameras vergessen</translation>
+    </message>
+    <message>
+        <source>The cameras stay in this window only: %1</source>
+        <translation>Die Kameras bleiben nur in diesem Fenster: %1</translation>
+    </message>
+    <message>
+        <source>Keeping the cameras of the flight</source>
+        <translation>Die Kameras des Fluges werden gespeichert</translation>
+    </message>
+    <message>
+        <source>Another window changed the cameras meanwhile; nothing was taken back.</source>
+        <translation>Ein anderes Fenster hat die Kameras inzwischen geändert; nichts wurde zurückgenommen.</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::FlightWriter</name>
     <message>
         <source>Writing %1</source>
@@ -2288,6 +2315,14 @@
     <message>
         <source>unit</source>
         <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take back: %1</source>
+        <translation>Zurücknehmen: %1</translation>
     </message>
 </context>
 <context>

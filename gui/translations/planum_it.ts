@@ -740,6 +740,33 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::FlightCameras</name>
+    <message>
+        <source>Reading the cameras of the flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placing a camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forgetting the cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cameras stay in this window only: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeping the cameras of the flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another window changed the cameras meanwhile; nothing was taken back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::FlightWriter</name>
     <message>
         <source>Writing %1</source>
@@ -2287,6 +2314,14 @@
     </message>
     <message>
         <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

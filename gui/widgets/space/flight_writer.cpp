@@ -13,21 +13,11 @@
 
 namespace planum::gui {
 
-void FlightWriter::place(const Camera& camera) {
-    placed_.push_back(camera);
-    emit placedChanged();
-}
-
-void FlightWriter::forget() {
-    placed_.clear();
-    emit placedChanged();
-}
-
-void FlightWriter::start(const std::filesystem::path& folder, int frames) {
+void FlightWriter::start(const std::vector<Camera>& cameras, const std::filesystem::path& folder, int frames) {
     stop();
-    if (placed_.empty()) return;
+    if (cameras.empty()) return;
     folder_ = folder;
-    way_ = flight_along(placed_, frames);
+    way_ = flight_along(cameras, frames);
     next_ = 0;
     ++flight_;
     emit flying(0, static_cast<int>(way_.size()));

@@ -12,23 +12,17 @@
 
 namespace planum::gui {
 
-/// The cameras of a flight, and its frames on their way to the disk: it says which camera is next, somebody draws what
-/// that sees and hands the picture in.
+/// The frames of a flight on their way to the disk: it says which camera is next, somebody draws what that sees and
+/// hands the picture in.
 class FlightWriter : public QObject {
     Q_OBJECT
 
   public:
     explicit FlightWriter(JobRunner& jobs) : jobs_(jobs) {}
 
-    /// Keeps a camera as the next place of the flight.
-    void place(const Camera& camera);
-    void forget();
-
-    [[nodiscard]] const std::vector<Camera>& placed() const noexcept { return placed_; }
-
-    /// Begins the way along the placed cameras, so many frames from each to the next, as `fly-0001.png` and so on in
+    /// Begins the way along these cameras, so many frames from each to the next, as `fly-0001.png` and so on in
     /// `folder`. Another flight that goes on is given up; without a camera nothing happens.
-    void start(const std::filesystem::path& folder, int frames);
+    void start(const std::vector<Camera>& cameras, const std::filesystem::path& folder, int frames);
     /// Ends it with the frames that are written; nothing where none goes on.
     void stop();
 
@@ -38,7 +32,6 @@ class FlightWriter : public QObject {
     void take(const QImage& frame);
 
   signals:
-    void placedChanged();
     /// The next picture: take() is waited for.
     void wanted(const planum::gui::Camera& camera);
     /// Frames written of all.
@@ -51,7 +44,6 @@ class FlightWriter : public QObject {
     void go_on();
 
     JobRunner& jobs_;
-    std::vector<Camera> placed_;
     std::filesystem::path folder_;
     std::vector<Camera> way_; ///< empty: no flight goes on
     std::size_t next_ = 0;

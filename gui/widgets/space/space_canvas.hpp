@@ -36,11 +36,8 @@ class SpaceCanvas : public QOpenGLWidget {
     /// Shares of what the scans fill, 0 … 1, along x, y and height: what lies outside is cut away.
     void set_box(const std::array<double, 3>& low, const std::array<double, 3>& high);
 
-    /// Cameras along which the site is flown through; moving the camera by hand ends a flight.
+    /// Writes flights; moving the camera by hand ends one.
     [[nodiscard]] FlightWriter& flight() noexcept { return flight_; }
-
-    /// Keeps where the camera is now, as the next place of a flight.
-    void place_camera() { flight_.place(camera_); }
 
     [[nodiscard]] bool has_scans() const noexcept { return !scans_.empty(); }
 

@@ -15,6 +15,7 @@
 #include "gui/viewmodels/models.hpp"
 #include "gui/widgets/choice_dialog.hpp"
 #include "gui/widgets/space/box_panel.hpp"
+#include "gui/widgets/space/flight_cameras.hpp"
 #include "gui/widgets/space/space_canvas.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -42,6 +43,9 @@ void SpaceView::make_canvas() {
     }
     canvas_ = new SpaceCanvas(models_.workspace, space_);
     box_ = new BoxPanel;
+    cameras_ = new FlightCameras(models_.workspace);
+    cameras_->setParent(this);
+    cameras_->setObjectName(QStringLiteral("flightCameras"));
     column_->addWidget(make_bar());
     column_->addWidget(box_);
     column_->addWidget(canvas_, 1);
@@ -59,6 +63,7 @@ void SpaceView::make_canvas() {
     connect(canvas_, &SpaceCanvas::measured, this, [this](double distance, double rise) {
         said_->setText(tr("%1 m apart, %2 m up").arg(distance, 0, 'f', 3).arg(rise, 0, 'f', 3));
     });
+    connect(cameras_, &FlightCameras::troubled, &models_.workspace, &Workspace::failed);
     connect(&flight, &FlightWriter::troubled, &models_.workspace, &Workspace::failed);
     connect(canvas_, &SpaceCanvas::troubled, &models_.workspace, &Workspace::failed);
 }
@@ -108,24 +113,29 @@ QWidget* SpaceView::make_bar() {
 
 QToolButton* SpaceView::make_flight_button() {
     auto* menu = new QMenu(this);
-    menu->addAction(tr("Place a camera here"), canvas_, &SpaceCanvas::place_camera)
+    menu->addAction(tr("Place a camera here"), cameras_, [this] { cameras_->place(canvas_->camera()); })
         ->setObjectName(QStringLiteral("placeCamera"));
     QAction* fly = menu->addAction(tr("Write the flight …"), this, &SpaceView::ask_flight);
     fly->setObjectName(QStringLiteral("writeFlight"));
-    QAction* forget = menu->addAction(tr("Forget the cameras"), &canvas_->flight(), &FlightWriter::forget);
+    QAction* forget = menu->addAction(tr("Forget the cameras"), cameras_, &FlightCameras::forget);
     forget->setObjectName(QStringLiteral("forgetCameras"));
+    QAction* back = menu->addAction(QString(), cameras_, &FlightCameras::take_back);
+    back->setObjectName(QStringLiteral("takeCameraBack"));
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("spaceFlight"));
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(tr("A flight along placed cameras, as numbered pictures"));
-    const auto say = [this, button, fly, forget] {
-        const auto n = static_cast<int>(canvas_->flight().placed().size());
+    const auto say = [this, button, fly, forget, back] {
+        const auto n = static_cast<int>(cameras_->placed().size());
         button->setText(n == 0 ? tr("Flight") : tr("Flight (%1)").arg(n));
         fly->setEnabled(n > 0);
         forget->setEnabled(n > 0);
+        const QString former = cameras_->former_label();
+        back->setEnabled(!former.isEmpty());
+        back->setText(former.isEmpty() ? tr("Take back") : tr("Take back: %1").arg(former));
     };
-    connect(&canvas_->flight(), &FlightWriter::placedChanged, this, say);
+    connect(cameras_, &FlightCameras::placedChanged, this, say);
     say();
     return button;
 }
@@ -139,7 +149,7 @@ void SpaceView::ask_flight() {
     if (chosen.isEmpty()) return;
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the frames"));
     if (!folder.isEmpty() && canvas_->has_scans())
-        canvas_->flight().start(folder.toStdString(), std::clamp(chosen[0].toInt(), 1, 2000));
+        canvas_->flight().start(cameras_->placed(), folder.toStdString(), std::clamp(chosen[0].toInt(), 1, 2000));
 }
 
 void SpaceView::showEvent(QShowEvent* event) {

@@ -13,6 +13,7 @@ namespace planum::gui {
 
 struct Models;
 class BoxPanel;
+class FlightCameras;
 class SpaceCanvas;
 
 /// 3D with its choices. Where there is no OpenGL it says so in place of the picture.
@@ -39,6 +40,7 @@ class SpaceView : public QWidget {
     SpaceModel space_;
     SpaceCanvas* canvas_ = nullptr;
     BoxPanel* box_ = nullptr;
+    FlightCameras* cameras_ = nullptr;
     QVBoxLayout* column_;
     QLabel* said_;
     bool tried_ = false;

@@ -14,8 +14,10 @@
 #include <optional>
 
 #include "app/demo/simulator.hpp"
+#include "gui/render/flight_file.hpp"
 #include "gui/widgets/flat/flat_canvas.hpp"
 #include "gui/widgets/matrix/matrix_view.hpp"
+#include "gui/widgets/space/flight_cameras.hpp"
 #include "gui/widgets/space/space_canvas.hpp"
 #include "tests/e2e/window_day/hands.hpp"
 #include "tests/support/temporary.hpp"
@@ -261,10 +263,13 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
         hands.find<QAction>("placeCamera")->trigger();
         for (int i = 0; i < 3; ++i) QTest::keyClick(space, Qt::Key_Left);
         hands.find<QAction>("placeCamera")->trigger();
-        CHECK(space->flight().placed().size() == 2);
+        hands.settle_all();
+        auto* cameras = hands.find<FlightCameras>("flightCameras");
+        CHECK(cameras->placed().size() == 2);
+        CHECK(read_flight(flight_file_of(hands.window.models().workspace.file())).size() == 2);
         fs::create_directories(folder / "flight");
         QSignalSpy flown(&space->flight(), &FlightWriter::flown);
-        space->flight().start(folder / "flight", 2);
+        space->flight().start(cameras->placed(), folder / "flight", 2);
         REQUIRE(flown.wait(60'000));
         for (const char* frame : {"fly-0001.png", "fly-0002.png", "fly-0003.png"}) {
             const QImage picture(text(folder / "flight" / frame));

@@ -42,11 +42,9 @@ struct Flying {
 TEST_CASE("A flight writes one numbered picture for each camera of the way, and says how many") {
     Flying f;
     QSignalSpy flown(&f.writer, &FlightWriter::flown);
-    f.writer.start(f.folder.path(), 4);
+    f.writer.start({}, f.folder.path(), 4);
     CHECK_FALSE(f.writer.is_flying()); // no camera, no flight
-    f.writer.place(Flying::at(10.0));
-    f.writer.place(Flying::at(90.0));
-    f.writer.start(f.folder.path(), 4);
+    f.writer.start({Flying::at(10.0), Flying::at(90.0)}, f.folder.path(), 4);
     REQUIRE(flown.wait(test::kPatience));
     CHECK(flown.front().front().toInt() == 5);
     CHECK(qRed(QImage(QString::fromStdString((f.folder / "fly-0001.png").string())).pixel(0, 0)) == 10);
@@ -56,16 +54,15 @@ TEST_CASE("A flight writes one numbered picture for each camera of the way, and 
 
 TEST_CASE("A flight that is stopped says what it wrote; one into a folder that is gone is a sentence") {
     Flying f;
-    f.writer.place(Flying::at(1.0));
-    f.writer.place(Flying::at(2.0));
+    const std::vector<Camera> cameras = {Flying::at(1.0), Flying::at(2.0)};
     QSignalSpy flown(&f.writer, &FlightWriter::flown);
-    f.writer.start(f.folder.path(), 50);
+    f.writer.start(cameras, f.folder.path(), 50);
     f.writer.stop();
     CHECK(flown.size() == 1);
     CHECK_FALSE(f.writer.is_flying());
     REQUIRE(f.jobs.wait_until_idle(test::kPatience));
     QSignalSpy troubled(&f.writer, &FlightWriter::troubled);
-    f.writer.start(f.folder / "gone", 2);
+    f.writer.start(cameras, f.folder / "gone", 2);
     REQUIRE(f.jobs.wait_until_idle(test::kPatience));
     CHECK(troubled.size() == 1);
     CHECK_FALSE(f.writer.is_flying());
