@@ -34,8 +34,8 @@ struct Options {
     QCommandLineOption surface{q("surface"), q("Surface whose scans the flight sees, or all; by itself the last one."),
                                q("NAME")};
     QCommandLineOption colour{q("colour"),
-                              q("What colours the flight's points: colour, intensity, height, day or unit."), q("BY"),
-                              q("colour")};
+                              q("What colours the points of 3D: colour, intensity, height, day, unit or difference."),
+                              q("BY"), q("colour")};
     QCommandLineOption size{q("size"), q("Size of the picture or the frames, WIDTHxHEIGHT in pixels."), q("SIZE"),
                             q("1600x1000")};
     QCommandLineOption theme{q("theme"), q("light, dark or sunlight."), q("THEME"), q("light")};
@@ -56,15 +56,16 @@ QSize size_from(const QString& text) {
 }
 
 PointColour colour_from(const QString& word) {
-    constexpr std::array<std::pair<const char*, PointColour>, 5> kWords = {{{"colour", PointColour::Colour},
+    constexpr std::array<std::pair<const char*, PointColour>, 6> kWords = {{{"colour", PointColour::Colour},
                                                                             {"intensity", PointColour::Intensity},
                                                                             {"height", PointColour::Height},
                                                                             {"day", PointColour::Day},
-                                                                            {"unit", PointColour::Unit}}};
+                                                                            {"unit", PointColour::Unit},
+                                                                            {"difference", PointColour::Difference}}};
     for (const auto& [name, colour] : kWords) {
         if (word == QLatin1String(name)) return colour;
     }
-    throw usage("colour: " + word.toStdString() + " is none of colour, intensity, height, day, unit");
+    throw usage("colour: " + word.toStdString() + " is none of colour, intensity, height, day, unit, difference");
 }
 
 void read_look(const QCommandLineParser& parser, const Options& options, DesktopArguments& arguments) {
@@ -80,15 +81,17 @@ void read_look(const QCommandLineParser& parser, const Options& options, Desktop
 void read_flight(const QCommandLineParser& parser, const Options& options, DesktopArguments& arguments) {
     FlightRequest& flight = arguments.flight;
     const bool flies = parser.isSet(options.flight);
-    for (const QCommandLineOption* option : {&options.frames, &options.surface, &options.colour}) {
+    for (const QCommandLineOption* option : {&options.frames, &options.surface}) {
         if (!flies && parser.isSet(*option))
             throw usage("--" + option->names().constFirst().toStdString() + " belongs to --flight");
     }
+    const bool shows_points = flies || arguments.screenshot.view == "3d";
+    if (!shows_points && parser.isSet(options.colour)) throw usage("--colour belongs to --flight and --screenshot 3d");
+    flight.colour = arguments.screenshot.colour = colour_from(parser.value(options.colour));
     if (!flies) return;
     flight.cameras = parser.value(options.flight).toStdString();
     flight.folder = parser.value(options.output).toStdString();
     flight.surface = parser.value(options.surface).toStdString();
-    flight.colour = colour_from(parser.value(options.colour));
     bool is_number = false;
     flight.frames = parser.value(options.frames).toInt(&is_number);
     constexpr int kMost = 2000;

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
 
+#include "app/surfaces/height_change.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "app/surfaces/surface_cache.hpp"
 #include "core/base/error.hpp"
@@ -56,24 +56,6 @@ void write_raster(Project& project, const scans::GridFrame& frame, std::span<con
     write_file_atomically(file, scans::geotiff(frame, bands, project.record().settings.srs_id));
     std::filesystem::path world = file;
     write_file_atomically(world.replace_extension(".tfw"), scans::world_file(frame));
-}
-
-ChangeReport report_on(const scans::SurfaceDifference& difference) {
-    ChangeReport report;
-    const double cell_area = difference.frame.cell * difference.frame.cell;
-    std::vector<float> detectable;
-    for (std::size_t cell = 0; cell < difference.frame.cells(); ++cell) {
-        if (std::isnan(difference.change[cell])) continue;
-        detectable.push_back(difference.detectable[cell]);
-        report.compared_area += cell_area;
-        if (difference.change[cell] < -difference.detectable[cell]) report.lowered_area += cell_area;
-        if (difference.change[cell] > difference.detectable[cell]) report.raised_area += cell_area;
-    }
-    if (detectable.empty()) return report;
-    const auto middle = detectable.begin() + static_cast<std::ptrdiff_t>(detectable.size() / 2);
-    std::nth_element(detectable.begin(), middle, detectable.end());
-    report.detectable = static_cast<double>(*middle);
-    return report;
 }
 
 } // namespace

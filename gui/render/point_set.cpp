@@ -60,7 +60,8 @@ PointVertex vertex_of(const scans::PointBlock& points, std::size_t i, const Eige
         paint(vertex, height_colour((x_in_site.z() - query.height_low) / span), 0.55 + 0.45 * light_of(points, i));
         break;
     }
-    case PointColour::Unit: {
+    case PointColour::Unit:
+    case PointColour::Difference: {
         const std::uint32_t tint = query.tints == nullptr ? 0 : query.tints->at(x_in_site.x(), x_in_site.y());
         if (tint == 0) {
             paint(vertex, 0xffffff, 0.45 * light_of(points, i));

@@ -23,7 +23,8 @@ struct ShownScan {
     std::uint32_t tint = 0x808080; ///< of the day or surface, 0xRRGGBB
 };
 
-/// Colours of the ground in plan, cell by cell: which unit lies there. 0 where none does.
+/// Colours of the ground in plan, cell by cell: which unit lies there, or how far it is from another surface. 0 where
+/// nothing is known.
 struct TintGrid {
     double low_x = 0.0; ///< site [m]
     double low_y = 0.0;
@@ -62,7 +63,7 @@ struct PointQuery {
     std::uint64_t budget = 300'000;
     PointColour colour = PointColour::Intensity;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    std::shared_ptr<const TintGrid> tints; ///< for PointColour::Unit; null: nothing is outlined
+    std::shared_ptr<const TintGrid> tints; ///< for Unit and Difference; null: nothing is known of any ground
     double height_low = 0.0;               ///< colours of heights run from here … [m]
     double height_high = 1.0;
 };

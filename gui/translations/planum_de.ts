@@ -729,6 +729,55 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::DifferenceBar</name>
+    <message>
+        <source>Compared with</source>
+        <translation>Verglichen mit</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::DifferenceModel</name>
+    <message>
+        <source>There is no other surface of this area to compare with.</source>
+        <translation>Es gibt keine andere Fläche dieses Schnitts zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>comparing the surfaces …</source>
+        <translation>die Flächen werden verglichen …</translation>
+    </message>
+    <message>
+        <source>Comparing surfaces</source>
+        <translation>Flächen werden verglichen</translation>
+    </message>
+    <message>
+        <source>lower than %1</source>
+        <translation>tiefer als %1</translation>
+    </message>
+    <message>
+        <source>higher than %1</source>
+        <translation>höher als %1</translation>
+    </message>
+    <message>
+        <source>of %1 m² compared, %2 m² lower, %3 m² higher</source>
+        <translation>von %1 m² verglichenen %2 m² tiefer, %3 m² höher</translation>
+    </message>
+    <message>
+        <source>%1 and %2 saw no ground in common.</source>
+        <translation>%1 und %2 zeigen keinen gemeinsamen Boden.</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::DifferenceScale</name>
+    <message>
+        <source>%1 %2, grey within %3, %1 %4</source>
+        <translation>%1 %2, grau innerhalb von %3, %1 %4</translation>
+    </message>
+    <message>
+        <source>Grey: closer than what can be told from none (95 %), %1 in the middle of all cells</source>
+        <translation>Grau: weniger als nachweisbar (95 %), im Median aller Zellen %1</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::FlatPage</name>
     <message>
         <source>Fit</source>
@@ -2323,6 +2372,10 @@
     <message>
         <source>Take back: %1</source>
         <translation>Zurücknehmen: %1</translation>
+    </message>
+    <message>
+        <source>difference to another surface</source>
+        <translation>Unterschied zu einer anderen Fläche</translation>
     </message>
 </context>
 <context>

@@ -729,6 +729,55 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::DifferenceBar</name>
+    <message>
+        <source>Compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::DifferenceModel</name>
+    <message>
+        <source>There is no other surface of this area to compare with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing the surfaces …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower than %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>higher than %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of %1 m² compared, %2 m² lower, %3 m² higher</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 saw no ground in common.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::DifferenceScale</name>
+    <message>
+        <source>%1 %2, grey within %3, %1 %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grey: closer than what can be told from none (95 %), %1 in the middle of all cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::FlatPage</name>
     <message>
         <source>Fit</source>
@@ -2322,6 +2371,10 @@
     </message>
     <message>
         <source>Take back: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference to another surface</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

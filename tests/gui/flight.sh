@@ -34,6 +34,7 @@ refused 2 "--flight wants" --flight cameras.json site.gpkg
 refused 2 "frames: between" --flight cameras.json -o out --frames 0 site.gpkg
 refused 2 "colour: mauve" --flight cameras.json -o out --colour mauve site.gpkg
 refused 2 "belongs to --flight" --frames 3 site.gpkg
+refused 2 "--colour belongs to" --colour height --screenshot plan -o out site.gpkg
 refused 2 "not both" --flight cameras.json --screenshot plan -o out site.gpkg
 refused 3 "gone.json" --flight gone.json -o out site.gpkg
 echo '{"format": "planum-flight", "version": 1, "cameras": [{}]}' >wrong.json

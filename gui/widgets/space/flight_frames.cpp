@@ -14,6 +14,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "gui/render/flight_file.hpp"
+#include "gui/viewmodels/difference_model.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/space_model.hpp"
 #include "gui/viewmodels/words.hpp"
@@ -71,11 +72,17 @@ int write_flight(Models& models, const FlightRequest& request, const std::functi
     const auto note = [&](const QString& sentence) { trouble = sentence; };
     QObject::connect(&canvas, &SpaceCanvas::troubled, &canvas, note);
     canvas.set_colour(request.colour);
+    DifferenceModel difference(models.workspace, models.time);
+    QObject::connect(&difference, &DifferenceModel::changed, &canvas,
+                     [&] { canvas.set_difference(difference.colours()); });
+    difference.set_watched(request.colour == PointColour::Difference);
     canvas.setFixedSize((QSizeF(request.width, request.height) / canvas.devicePixelRatioF()).toSize());
     space.set_watched(true);
     canvas.show();
     settle(canvas, models.workspace.jobs(), trouble);
     if (!space.trouble().isEmpty()) throw Error(ErrorCode::Io, space.trouble().toStdString());
+    if (request.colour == PointColour::Difference && difference.colours() == nullptr)
+        throw Error(ErrorCode::BadInput, difference.said().toStdString());
     if (!canvas.has_scans()) {
         throw Error(ErrorCode::BadInput, request.surface == kAllSurfaces
                                              ? "no scan is on the site grid: planum register"

@@ -87,6 +87,11 @@ std::shared_ptr<const TintGrid> tints_of(const std::vector<RegionShape>& shapes,
     return grid;
 }
 
+std::shared_ptr<const TintGrid> tints_of(const GroundColours& ground) {
+    return std::make_shared<const TintGrid>(
+        TintGrid{ground.low_x, ground.low_y, ground.cell, ground.columns, ground.rows, ground.rgb});
+}
+
 } // namespace
 
 QString opengl_trouble() {
@@ -223,6 +228,12 @@ void SpaceCanvas::set_colour(PointColour colour) {
     move();
 }
 
+void SpaceCanvas::set_difference(std::shared_ptr<const GroundColours> colours) {
+    if (colours == difference_) return;
+    difference_ = std::move(colours);
+    if (colour_ == PointColour::Difference) set_colour(colour_);
+}
+
 void SpaceCanvas::set_eye_dome(bool on) {
     eye_dome_ = on;
     if (!still_ || !can_draw()) return;
@@ -296,10 +307,11 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
     workspace_.jobs().start(
         query.everywhere ? QStringLiteral("points moving") : QString::fromLatin1(kStillLane),
         JobRunner::Queueing::Newest, tr("Choosing points"), Job::Kind::Quiet,
-        [this, query, slot, scans = scans_, snapshot = workspace_.snapshot(),
-         surface = space_.surface()](Progress& progress) mutable -> JobRunner::Done {
+        [this, query, slot, scans = scans_, snapshot = workspace_.snapshot(), surface = space_.surface(),
+         difference = difference_](Progress& progress) mutable -> JobRunner::Done {
             if (query.colour == PointColour::Unit && snapshot != nullptr && !surface.is_nil())
                 query.tints = tints_of(regions_in_plan(*snapshot, surface), snapshot->index());
+            if (query.colour == PointColour::Difference && difference != nullptr) query.tints = tints_of(*difference);
             auto set = std::make_shared<const PointSet>(choose_points(scans, query, progress));
             return [this, set, slot] {
                 if (!can_draw()) return;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gui/render/scene_renderer.hpp"
+#include "gui/viewmodels/difference_model.hpp"
 #include "gui/viewmodels/space_model.hpp"
 #include "gui/viewmodels/workspace.hpp"
 #include "gui/widgets/space/flight_writer.hpp"
@@ -30,6 +31,8 @@ class SpaceCanvas : public QOpenGLWidget {
     ~SpaceCanvas() override;
 
     void set_colour(PointColour colour);
+    /// What PointColour::Difference shows; null: nothing is compared.
+    void set_difference(std::shared_ptr<const GroundColours> colours);
     void set_eye_dome(bool on);
     void fit();
     void from_above();
@@ -92,6 +95,7 @@ class SpaceCanvas : public QOpenGLWidget {
     double high_ = 1.0;
     Camera camera_;
     PointColour colour_ = PointColour::Colour;
+    std::shared_ptr<const GroundColours> difference_;
     bool eye_dome_ = true;
     bool still_ = false; ///< the still picture is finished and fits the camera
     QTimer settle_;

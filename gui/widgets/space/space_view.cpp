@@ -15,6 +15,7 @@
 #include "gui/viewmodels/models.hpp"
 #include "gui/widgets/choice_dialog.hpp"
 #include "gui/widgets/space/box_panel.hpp"
+#include "gui/widgets/space/difference_bar.hpp"
 #include "gui/widgets/space/flight_cameras.hpp"
 #include "gui/widgets/space/space_canvas.hpp"
 #include "gui/widgets/theme.hpp"
@@ -22,7 +23,8 @@
 namespace planum::gui {
 
 SpaceView::SpaceView(Models& models)
-    : models_(models), space_(models.workspace, models.time), column_(new QVBoxLayout(this)), said_(new QLabel) {
+    : models_(models), space_(models.workspace, models.time), difference_(models.workspace, models.time),
+      column_(new QVBoxLayout(this)), said_(new QLabel) {
     setObjectName(QStringLiteral("3d"));
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(0);
@@ -42,13 +44,16 @@ void SpaceView::make_canvas() {
         return;
     }
     canvas_ = new SpaceCanvas(models_.workspace, space_);
+    compared_ = new DifferenceBar(difference_);
     box_ = new BoxPanel;
     cameras_ = new FlightCameras(models_.workspace);
     cameras_->setParent(this);
     cameras_->setObjectName(QStringLiteral("flightCameras"));
     column_->addWidget(make_bar());
+    column_->addWidget(compared_);
     column_->addWidget(box_);
     column_->addWidget(canvas_, 1);
+    compared_->hide();
     box_->hide();
     connect(box_, &BoxPanel::changed, canvas_, &SpaceCanvas::set_box);
     FlightWriter& flight = canvas_->flight();
@@ -69,15 +74,7 @@ void SpaceView::make_canvas() {
 }
 
 QWidget* SpaceView::make_bar() {
-    auto* colour = new QComboBox;
-    colour->setAccessibleName(tr("Colour"));
-    colour->addItem(tr("colour as scanned"), static_cast<int>(PointColour::Colour));
-    colour->addItem(tr("intensity"), static_cast<int>(PointColour::Intensity));
-    colour->addItem(tr("height"), static_cast<int>(PointColour::Height));
-    colour->addItem(tr("day"), static_cast<int>(PointColour::Day));
-    colour->addItem(tr("unit"), static_cast<int>(PointColour::Unit));
-    connect(colour, &QComboBox::activated, this,
-            [this, colour] { canvas_->set_colour(static_cast<PointColour>(colour->currentData().toInt())); });
+    make_colours();
     auto* dome = new QCheckBox(tr("shaded by depth"));
     dome->setChecked(true);
     connect(dome, &QCheckBox::toggled, canvas_, &SpaceCanvas::set_eye_dome);
@@ -102,13 +99,41 @@ QWidget* SpaceView::make_bar() {
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(8, 6, 8, 6);
-    for (QWidget* part : std::initializer_list<QWidget*>{colour, dome, all, cut, make_flight_button()})
+    for (QWidget* part : std::initializer_list<QWidget*>{colour_, dome, all, cut, make_flight_button()})
         row->addWidget(part);
     row->addStretch(1);
     row->addWidget(said_);
     row->addWidget(button(tr("From above"), tr("Plan, north up (T)"), &SpaceCanvas::from_above));
     row->addWidget(button(tr("Fit"), tr("The trench (F)"), &SpaceCanvas::fit));
     return bar;
+}
+
+void SpaceView::make_colours() {
+    colour_ = new QComboBox;
+    colour_->setObjectName(QStringLiteral("spaceColour"));
+    colour_->setAccessibleName(tr("Colour"));
+    colour_->addItem(tr("colour as scanned"), static_cast<int>(PointColour::Colour));
+    colour_->addItem(tr("intensity"), static_cast<int>(PointColour::Intensity));
+    colour_->addItem(tr("height"), static_cast<int>(PointColour::Height));
+    colour_->addItem(tr("day"), static_cast<int>(PointColour::Day));
+    colour_->addItem(tr("unit"), static_cast<int>(PointColour::Unit));
+    colour_->addItem(tr("difference to another surface"), static_cast<int>(PointColour::Difference));
+    connect(colour_, &QComboBox::activated, this,
+            [this] { show_colour(static_cast<PointColour>(colour_->currentData().toInt())); });
+    connect(&difference_, &DifferenceModel::changed, this, [this] { canvas_->set_difference(difference_.colours()); });
+}
+
+void SpaceView::show_colour(PointColour colour) {
+    if (canvas_ == nullptr) return;
+    colour_->setCurrentIndex(colour_->findData(static_cast<int>(colour)));
+    compared_->setVisible(colour == PointColour::Difference);
+    watch_difference();
+    canvas_->set_colour(colour);
+}
+
+// Surfaces are compared while somebody looks at the difference.
+void SpaceView::watch_difference() {
+    difference_.set_watched(isVisible() && compared_ != nullptr && !compared_->isHidden());
 }
 
 QToolButton* SpaceView::make_flight_button() {
@@ -156,11 +181,13 @@ void SpaceView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     if (!tried_) make_canvas();
     space_.set_watched(canvas_ != nullptr);
+    watch_difference();
 }
 
 void SpaceView::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     space_.set_watched(false);
+    difference_.set_watched(false);
 }
 
 } // namespace planum::gui

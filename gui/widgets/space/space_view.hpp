@@ -3,8 +3,11 @@
 
 #include <QWidget>
 
+#include "gui/render/point_set.hpp"
+#include "gui/viewmodels/difference_model.hpp"
 #include "gui/viewmodels/space_model.hpp"
 
+class QComboBox;
 class QLabel;
 class QToolButton;
 class QVBoxLayout;
@@ -13,6 +16,7 @@ namespace planum::gui {
 
 struct Models;
 class BoxPanel;
+class DifferenceBar;
 class FlightCameras;
 class SpaceCanvas;
 
@@ -26,6 +30,9 @@ class SpaceView : public QWidget {
     /// Null where there is no OpenGL, or nobody has looked yet.
     [[nodiscard]] SpaceCanvas* canvas() const noexcept { return canvas_; }
 
+    /// Colours the points so; nothing happens where there is no canvas.
+    void show_colour(PointColour colour);
+
   protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -33,12 +40,17 @@ class SpaceView : public QWidget {
   private:
     void make_canvas();
     QWidget* make_bar();
+    void make_colours();
+    void watch_difference();
     QToolButton* make_flight_button();
     void ask_flight();
 
     Models& models_;
     SpaceModel space_;
+    DifferenceModel difference_;
     SpaceCanvas* canvas_ = nullptr;
+    QComboBox* colour_ = nullptr;
+    DifferenceBar* compared_ = nullptr;
     BoxPanel* box_ = nullptr;
     FlightCameras* cameras_ = nullptr;
     QVBoxLayout* column_;

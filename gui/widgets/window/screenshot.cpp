@@ -16,6 +16,7 @@
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
+#include "gui/widgets/space/space_view.hpp"
 #include "gui/widgets/view.hpp"
 #include "gui/widgets/window/main_window.hpp"
 
@@ -75,6 +76,7 @@ void write_screenshot(MainWindow& window, const ScreenshotRequest& request) {
         workspace.select(workspace.snapshot()->record().units[found.front()].id);
     }
     settle(window);
+    if (auto* space = dynamic_cast<SpaceView*>(window.view(request.view))) space->show_colour(request.colour);
     if (request.view == "problems") open_problem(window.models().problems, request.problem);
     if (request.view == "suggestions") {
         window.show_view("plan");

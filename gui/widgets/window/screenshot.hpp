@@ -4,14 +4,17 @@
 #include <filesystem>
 #include <string>
 
+#include "gui/render/point_colour.hpp"
+
 namespace planum::gui {
 
 class MainWindow;
 
 struct ScreenshotRequest {
-    std::string view;    ///< name of a view: what comes to the front
-    std::string unit;    ///< selected first; empty: none
-    std::string problem; ///< code of the problem to open; empty: the first there is
+    std::string view;                         ///< name of a view: what comes to the front
+    std::string unit;                         ///< selected first; empty: none
+    std::string problem;                      ///< code of the problem to open; empty: the first there is
+    PointColour colour = PointColour::Colour; ///< of the points, in 3D
     std::filesystem::path output;
     int width = 1600; ///< [px]
     int height = 1000;
