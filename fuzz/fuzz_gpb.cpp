@@ -9,8 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::span<const std::byte> blob{reinterpret_cast<const std::byte*>(data), size};
     try {
-        planum::geometry::Geometry geometry = planum::geometry::decode_gpb(blob);
-        geometry.has_z = true;
+        const planum::geometry::Geometry geometry = planum::geometry::decode_gpb(blob);
         const auto again = planum::geometry::decode_gpb(planum::geometry::encode_gpb(geometry));
         if (again.srs_id != geometry.srs_id) std::abort();
     } catch (const planum::Error&) {

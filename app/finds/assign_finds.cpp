@@ -50,16 +50,15 @@ std::optional<HeightRange> height_of_points(const model::Find& find, double ceil
 
 // Without points the outline says between which heights its ground lies, where it has heights.
 std::optional<HeightRange> height_of_outline(const model::Region& region) {
+    if (!region.has_heights || region.outline.empty()) return std::nullopt;
     HeightRange range{1e300, -1e300};
-    bool any = false;
     for (const model::Polygon& polygon : region.outline) {
         for (const auto& p : polygon.outer) {
             range.low = std::min(range.low, p[2]);
             range.high = std::max(range.high, p[2]);
-            any = any || p[2] != 0.0; // a file without heights has zeros
         }
     }
-    return any ? std::optional(range) : std::nullopt;
+    return range;
 }
 
 enum class DugOn { Yes, No, Unknown };

@@ -35,7 +35,7 @@ struct DrawnOutline {
     std::string seen_in;         ///< number of the cut whose side shows it
     std::string notes;
     std::string drawn_on = "imported";
-    geometry::MultiPolygon shape;
+    geometry::MultiPolygon shape; ///< z of NaN: nobody said a height
 };
 
 /// Something of a file that was not taken or not understood.
@@ -49,7 +49,13 @@ struct OutlineFile {
     std::vector<OutlineNote> notes;
 };
 
+/// Points without height (NaN) take that of the nearest place on the lines whose height is known. False where there is
+/// none: every z is 0 then, and a region of this shape has no heights.
+[[nodiscard]] bool settle_heights(geometry::MultiPolygon& shape);
+
 [[nodiscard]] geometry::MultiPolygon shape_of(const std::vector<model::Polygon>& outline);
+/// The outline of a region, with NaN for every z where it has no heights.
+[[nodiscard]] geometry::MultiPolygon shape_with_heights(const model::Region& region);
 [[nodiscard]] std::vector<model::Polygon> outline_of(const geometry::MultiPolygon& shape);
 
 } // namespace planum::app

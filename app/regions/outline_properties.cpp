@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -110,7 +111,7 @@ geometry::Line3 ring_from_json(const Json& points) {
     geometry::Line3 ring;
     for (const Json& point : points) {
         if (!point.is_array() || point.size() < 2 || point.size() > 4) refuse("a point is not [x, y] or [x, y, z]");
-        geometry::Point3 p = {0.0, 0.0, 0.0};
+        geometry::Point3 p = {0.0, 0.0, std::numeric_limits<double>::quiet_NaN()};
         for (std::size_t i = 0; i < std::min<std::size_t>(point.size(), 3); ++i) {
             if (!point[i].is_number()) refuse("a coordinate is no number");
             p[i] = point[i].get<double>();

@@ -12,7 +12,7 @@ namespace planum::app {
 /// not matter. False when nobody knows it. Throws BadInput for a value that cannot be used.
 bool read_outline_property(DrawnOutline& outline, std::string_view name, const strat::Json& value);
 
-/// One ring of [x, y] or [x, y, z]; the repeated last point goes. Throws BadInput.
+/// One ring of [x, y] or [x, y, z]; z is NaN where it is not said; the repeated last point goes. Throws BadInput.
 [[nodiscard]] geometry::Line3 ring_from_json(const strat::Json& points);
 
 } // namespace planum::app

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,8 @@
 namespace planum::app {
 
 namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // WKT of a polygon is brackets three deep around lists of points; a bare list has none.
 class OutlineParser {
@@ -98,7 +102,7 @@ class OutlineParser {
 
     void points(geometry::Line3& ring) {
         do {
-            std::array<double, 4> p{};
+            std::array<double, 4> p = {0.0, 0.0, kUnknown, kUnknown};
             std::size_t n = 0;
             while (n < most_) {
                 skip_blanks();
@@ -113,7 +117,7 @@ class OutlineParser {
                 p[n++] = *value;
             }
             if (n < 2) fail(text_.substr(at_, 20));
-            if (has_measure_) p[most_ - 1] = 0.0; // it is no height
+            if (has_measure_) p[most_ - 1] = kUnknown; // it is no height
             ring.push_back({p[0], p[1], p[2]});
         } while (take(','));
         const bool closed = ring.size() > 1 && ring.front()[0] == ring.back()[0] && ring.front()[1] == ring.back()[1];
@@ -133,20 +137,24 @@ geometry::MultiPolygon parse_outline(std::string_view text) { return OutlinePars
 
 std::string outline_text(const geometry::MultiPolygon& shape) {
     std::vector<std::string> polygons;
+    bool flat = false;
     for (const geometry::Rings& rings : shape) {
         std::vector<std::string> lines;
         for (const geometry::Line3& ring : rings) {
             std::vector<std::string> points;
             for (std::size_t i = 0; i <= ring.size() && !ring.empty(); ++i) {
                 const geometry::Point3& p = ring[i % ring.size()];
-                points.push_back(fmt::format("{:.3f} {:.3f} {:.3f}", p[0], p[1], p[2]));
+                flat = flat || std::isnan(p[2]);
+                points.push_back(std::isnan(p[2]) ? fmt::format("{:.3f} {:.3f}", p[0], p[1])
+                                                  : fmt::format("{:.3f} {:.3f} {:.3f}", p[0], p[1], p[2]));
             }
             lines.push_back("(" + text::join(points, ", ") + ")");
         }
         polygons.push_back("(" + text::join(lines, ", ") + ")");
     }
-    if (polygons.size() == 1) return "POLYGON Z " + polygons.front();
-    return "MULTIPOLYGON Z (" + text::join(polygons, ", ") + ")";
+    const std::string dimensions = flat ? " " : " Z ";
+    if (polygons.size() == 1) return "POLYGON" + dimensions + polygons.front();
+    return "MULTIPOLYGON" + dimensions + "(" + text::join(polygons, ", ") + ")";
 }
 
 } // namespace planum::app

@@ -65,7 +65,10 @@ MultiPolygon shape_from(const Json& json) {
     const auto polygon = [](const Json& rings) {
         if (!rings.is_array()) refuse("rings: it is no list of rings");
         geometry::Rings shape;
-        for (const Json& ring : rings) shape.push_back(ring_from_json(ring));
+        for (const Json& ring : rings) {
+            shape.push_back(ring_from_json(ring));
+            for (auto& pixel : shape.back()) pixel[2] = 0.0; // pixels have none
+        }
         return shape;
     };
     MultiPolygon shape;

@@ -14,7 +14,7 @@
 namespace planum::app {
 
 std::vector<std::string> redraw_region(Project& project, model::RegionId id, const geometry::MultiPolygon& drawn_over,
-                                       const geometry::MultiPolygon& outline) {
+                                       geometry::MultiPolygon outline) {
     const model::Record& record = project.record();
     const auto found = std::find_if(record.regions.begin(), record.regions.end(),
                                     [&](const model::Region& region) { return region.id == id; });
@@ -25,6 +25,7 @@ std::vector<std::string> redraw_region(Project& project, model::RegionId id, con
         throw Error(ErrorCode::Conflict, fmt::format("{}: its outline was changed meanwhile; nothing was done", name));
     }
     const model::Section* section = section_of(record, region);
+    region.has_heights = settle_heights(outline) || section != nullptr;
     geometry::SoundPolygon sound = geometry::make_sound(section == nullptr ? outline : onto_plane(outline, *section));
     if (section != nullptr) sound.shape = from_plane(sound.shape, *section);
     region.outline = outline_of(sound.shape);

@@ -30,8 +30,8 @@ bool is_in(const std::vector<model::RegionId>& ids, model::RegionId id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-MultiPolygon sound_shape(const DrawnOutline& drawn, const model::Section* section, std::vector<std::string>& repairs) {
-    MultiPolygon shape = drawn.shape;
+MultiPolygon sound_shape(MultiPolygon shape, const DrawnOutline& drawn, const model::Section* section,
+                         std::vector<std::string>& repairs) {
     if (section != nullptr && !drawn.on_plane) shape = onto_plane(shape, *section);
     if (section != nullptr && drawn.on_plane) {
         for (auto& rings : shape) {
@@ -117,7 +117,9 @@ class Importer {
         std::vector<std::string> repairs;
         model::Section section;
         if (drawn.section) section = draft_.section_of(drawn);
-        region.outline = outline_of(sound_shape(drawn, drawn.section ? &section : nullptr, repairs));
+        MultiPolygon shape = drawn.shape;
+        region.has_heights = settle_heights(shape) || drawn.section;
+        region.outline = outline_of(sound_shape(std::move(shape), drawn, drawn.section ? &section : nullptr, repairs));
         const OutlinePlace place = draft_.place_of(drawn);
         region.surface = place.surface;
         region.section = place.section;
@@ -163,7 +165,6 @@ class Importer {
     // The region that the project has of an outline already: of the same unit, or drawn with the same number and named
     // since, on the same lines or else drawn anew.
     [[nodiscard]] model::Region* find_match(const model::Region& region, const std::string& number) {
-        const MultiPolygon shape = shape_of(region.outline);
         model::Region* match = nullptr;
         for (model::Region& other : draft_.regions()) {
             if (other.surface != region.surface || other.section != region.section) continue;
@@ -171,7 +172,7 @@ class Importer {
             const bool same_unit = other.unit == region.unit && !region.unit.is_nil();
             const bool same_number = other.unit_as_drawn == number && (!number.empty() || other.unit.is_nil());
             if (!same_unit && !same_number) continue;
-            if (same_lines(shape, shape_of(other.outline))) return &other;
+            if (same_lines(region, other)) return &other;
             if (match == nullptr && is_drawn_anew(draft_.record(), region, other)) match = &other;
         }
         return match;
@@ -190,8 +191,11 @@ class Importer {
         if (wished.unit == old.unit) wished.unit_as_drawn = old.unit_as_drawn;
         note_unknown(wished, drawn);
         const bool now_named = old.unit.is_nil() && !wished.unit.is_nil();
-        const bool moved = !same_lines(shape_of(old.outline), shape_of(wished.outline));
-        if (!moved) wished.outline = old.outline;
+        const bool moved = !same_lines(old, wished) || (wished.has_heights && !old.has_heights);
+        if (!moved) {
+            wished.outline = old.outline;
+            wished.has_heights = old.has_heights;
+        }
         if (wished.notes.empty()) wished.notes = old.notes;
         if (!drawn.shows) wished.shows = old.shows;
         if (!drawn.sigma) wished.sigma = old.sigma;

@@ -19,8 +19,7 @@ constexpr const char* kShowsWords = "top, level, cut, overdug, machine, face, no
 constexpr const char* kCategoryWords = "unit, spoil, slump, backfill, water, equipment, baulk, unexcavated";
 
 // In site coordinates; on a section it is made sound in its plane.
-geometry::SoundPolygon typed_outline(const Region& region, const std::string& text, Project& project) {
-    const geometry::MultiPolygon shape = parse_outline(text);
+geometry::SoundPolygon sound_outline(const Region& region, const geometry::MultiPolygon& shape, Project& project) {
     const model::Section* section = section_of(project.record(), region);
     if (section == nullptr) return geometry::make_sound(shape);
     geometry::SoundPolygon sound = geometry::make_sound(onto_plane(shape, *section));
@@ -29,7 +28,9 @@ geometry::SoundPolygon typed_outline(const Region& region, const std::string& te
 }
 
 void set_outline(Region& region, const std::string& text, Project& project) {
-    region.outline = outline_of(typed_outline(region, text, project).shape);
+    geometry::MultiPolygon shape = parse_outline(text);
+    region.has_heights = settle_heights(shape) || !region.section.is_nil();
+    region.outline = outline_of(sound_outline(region, shape, project).shape);
     region.drawn_on = "typed";
 }
 
@@ -39,8 +40,8 @@ std::vector<Field<Region>> region_fields() {
                                                             model::region_category_from_word, kCategoryWords),
                                          word_field<Region>("shows", "what of the unit it shows", &Region::shows,
                                                             model::region_shows_from_word, kShowsWords)};
-    fields.push_back({{"outline", "corners in site coordinates: \"x y z, x y z, …\", or WKT"},
-                      [](const Region& region, Project&) { return outline_text(shape_of(region.outline)); },
+    fields.push_back({{"outline", "corners in site coordinates: \"x y z, x y z, …\" or without heights, or WKT"},
+                      [](const Region& region, Project&) { return outline_text(shape_with_heights(region)); },
                       set_outline});
     fields.push_back({{"sigma", "uncertainty of the outline [m]"},
                       [](const Region& region, Project&) { return fmt::format("{}", region.sigma); },
@@ -107,7 +108,9 @@ class RegionKind final : public FieldTableKind<Region> {
         std::vector<std::string> said;
         for (const auto& [field, text] : values) {
             if (field != "outline") continue;
-            for (const std::string& repair : typed_outline(find(project, name), text, project).repairs) {
+            geometry::MultiPolygon settled = parse_outline(text);
+            (void)settle_heights(settled);
+            for (const std::string& repair : sound_outline(find(project, name), settled, project).repairs) {
                 said.push_back("outline mended: " + repair);
             }
         }

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "app/regions/outline.hpp"
 #include "app/regions/region_names.hpp"
@@ -28,6 +31,10 @@ MultiPolygon mapped(MultiPolygon shape, Map map) {
         }
     }
     return shape;
+}
+
+MultiPolygon with_height(MultiPolygon shape, double z) {
+    return mapped(std::move(shape), [z](const geometry::Point3& p) { return geometry::Point3{p[0], p[1], z}; });
 }
 
 struct Axis {
@@ -158,6 +165,36 @@ MultiPolygon shape_of(const std::vector<model::Polygon>& outline) {
         shape.push_back(std::move(rings));
     }
     return shape;
+}
+
+MultiPolygon shape_with_heights(const model::Region& region) {
+    MultiPolygon shape = shape_of(region.outline);
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return region.has_heights ? shape : with_height(std::move(shape), kUnknown);
+}
+
+bool settle_heights(MultiPolygon& shape) {
+    bool all = true;
+    MultiPolygon known; // rings of the points with heights, for these lie on the lines
+    for (const geometry::Rings& rings : shape) {
+        geometry::Rings& kept = known.emplace_back();
+        for (const geometry::Line3& ring : rings) {
+            geometry::Line3& points = kept.emplace_back();
+            std::copy_if(ring.begin(), ring.end(), std::back_inserter(points),
+                         [](const geometry::Point3& p) { return !std::isnan(p[2]); });
+            all = all && points.size() == ring.size();
+            if (points.empty()) kept.pop_back();
+        }
+    }
+    if (all) return true;
+    const bool none =
+        std::all_of(known.begin(), known.end(), [](const geometry::Rings& rings) { return rings.empty(); });
+    if (!none) {
+        geometry::take_heights(shape, known);
+        return true;
+    }
+    shape = with_height(std::move(shape), 0.0);
+    return false;
 }
 
 std::vector<model::Polygon> outline_of(const MultiPolygon& shape) {

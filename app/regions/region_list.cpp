@@ -14,15 +14,15 @@ namespace planum::app {
 
 namespace {
 
-// Heights of the drawn points; a file without heights has zeros everywhere, which say nothing.
+// Heights of the drawn points, ascending.
 std::vector<double> outline_heights(const model::Region& region) {
     std::vector<double> z;
+    if (!region.has_heights) return z;
     for (const model::Polygon& polygon : region.outline) {
         for (const auto& point : polygon.outer) z.push_back(point[2]);
     }
     std::sort(z.begin(), z.end());
-    const bool none = std::all_of(z.begin(), z.end(), [](double value) { return value == 0.0; });
-    return none ? std::vector<double>{} : z;
+    return z;
 }
 
 // Of every region of the record, in its order [m²].

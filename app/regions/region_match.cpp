@@ -21,19 +21,26 @@ using geometry::MultiPolygon;
 constexpr double kSameLine = 5e-4;  ///< points closer than this were not redrawn [m]
 constexpr double kSameRegion = 0.5; ///< share of the smaller that lies on the other: one region, drawn anew
 
-bool same_points(const geometry::Line3& a, const geometry::Line3& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
-        return std::abs(p[0] - q[0]) < kSameLine && std::abs(p[1] - q[1]) < kSameLine &&
-               std::abs(p[2] - q[2]) < kSameLine;
+bool same_points(const model::Ring& a, const model::Ring& b, std::ptrdiff_t dimensions) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& p, const auto& q) {
+        return std::equal(p.begin(), p.begin() + dimensions, q.begin(),
+                          [](double x, double y) { return std::abs(x - y) < kSameLine; });
     });
 }
 
 } // namespace
 
-bool same_lines(const MultiPolygon& a, const MultiPolygon& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& rings, const auto& others) {
-        return std::equal(rings.begin(), rings.end(), others.begin(), others.end(), same_points);
-    });
+bool same_lines(const model::Region& a, const model::Region& b) {
+    const std::ptrdiff_t dimensions = a.has_heights && b.has_heights ? 3 : 2;
+    const auto same = [&](const model::Ring& one, const model::Ring& other) {
+        return same_points(one, other, dimensions);
+    };
+    return std::equal(a.outline.begin(), a.outline.end(), b.outline.begin(), b.outline.end(),
+                      [&](const model::Polygon& one, const model::Polygon& other) {
+                          return same(one.outer, other.outer) &&
+                                 std::equal(one.holes.begin(), one.holes.end(), other.holes.begin(), other.holes.end(),
+                                            same);
+                      });
 }
 
 bool is_drawn_anew(const model::Record& record, const model::Region& region, const model::Region& other) {

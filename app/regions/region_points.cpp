@@ -27,25 +27,22 @@ geometry::Rigid3 plane_from_site(const model::Section& section) {
     return frame;
 }
 
-RegionGround ground_of(const MultiPolygon& shown, const model::Section* section) {
-    RegionGround ground{shown, {}, -1e9, 1e9};
+RegionGround ground_of(const PlacedRegion& placed, const model::Section* section) {
+    RegionGround ground{placed.shown, {}, -1e9, 1e9};
     if (section != nullptr) {
         ground.frame_from_site = plane_from_site(*section);
         ground.low = -kBesidePlane;
         ground.high = kBesidePlane;
         return ground;
     }
+    if (!placed.region->has_heights) return ground;
     double highest = -1e9;
-    bool heights = false;
-    for (const auto& rings : shown) {
+    for (const auto& rings : placed.shown) {
         for (const auto& ring : rings) {
-            for (const auto& p : ring) {
-                highest = std::max(highest, p[2]);
-                heights = heights || p[2] != 0.0; // a file without heights has zeros
-            }
+            for (const auto& p : ring) highest = std::max(highest, p[2]);
         }
     }
-    if (heights) ground.high = highest + kAboveOutline;
+    ground.high = highest + kAboveOutline;
     return ground;
 }
 
@@ -72,7 +69,7 @@ std::vector<RegionGround> region_grounds(const model::Record& record) {
     std::vector<RegionGround> grounds(record.regions.size());
     const auto take = [&](const RegionLayout& layout, const model::Section* section) {
         for (const PlacedRegion& placed : layout.regions) {
-            grounds[static_cast<std::size_t>(placed.region - record.regions.data())] = ground_of(placed.shown, section);
+            grounds[static_cast<std::size_t>(placed.region - record.regions.data())] = ground_of(placed, section);
         }
     };
     for (const model::Surface& surface : record.surfaces) {

@@ -51,6 +51,7 @@ void write_regions(xml_node root, const model::Record& record) {
         required(node, "shows", to_word(region.shows));
         required(node, "sigma", fmt::format("{}", region.sigma));
         attribute(node, "drawn-on", region.drawn_on);
+        if (!region.has_heights) required(node, "heights", "unknown");
         reference(node, "seen-in", region.seen_in);
         for (const model::Polygon& polygon : region.outline) {
             xml_node shape = node.append_child("polygon");

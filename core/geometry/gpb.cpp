@@ -25,7 +25,7 @@ constexpr std::byte kEmptyFlag{16};
 
 class Writer {
   public:
-    explicit Writer(std::size_t expected) { bytes_.reserve(expected); }
+    Writer(std::size_t expected, bool has_z) : has_z_(has_z) { bytes_.reserve(expected); }
 
     template<class Number>
     void put(Number value) {
@@ -36,20 +36,21 @@ class Writer {
     }
 
     void put(const Point3& point) {
-        for (const double c : point) {
-            if (!std::isfinite(c)) throw Error(ErrorCode::BadInput, "a coordinate is not a finite number");
-            put(c);
+        for (std::size_t i = 0; i < (has_z_ ? 3U : 2U); ++i) {
+            if (!std::isfinite(point[i])) throw Error(ErrorCode::BadInput, "a coordinate is not a finite number");
+            put(point[i]);
         }
     }
 
     void header(std::uint32_t type) {
         put(std::byte{1});
-        put(type + kWithZ);
+        put(has_z_ ? type + kWithZ : type);
     }
 
     [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
 
   private:
+    bool has_z_;
     std::vector<std::byte> bytes_;
 };
 
@@ -213,7 +214,7 @@ MultiPolygon read_multipolygon(Reader& in, const WkbType& outer) {
 } // namespace
 
 std::vector<std::byte> encode_gpb(const Geometry& geometry) {
-    Writer out(64 + 24 * count_points(geometry));
+    Writer out(64 + 24 * count_points(geometry), geometry.has_z);
     Envelope envelope;
     const auto* line = std::get_if<Line3>(&geometry.shape);
     const auto* polygons = std::get_if<MultiPolygon>(&geometry.shape);

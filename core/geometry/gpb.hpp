@@ -27,8 +27,8 @@ struct Geometry {
     friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-/// GeoPackage binary (OGC 12-128, clause 2.1.3) around ISO WKB with z, little-endian. Lines and polygons
-/// carry their x/y envelope. Throws BadInput when a coordinate is not finite.
+/// GeoPackage binary (OGC 12-128, clause 2.1.3) around ISO WKB, with z where has_z says so, little-endian. Lines and
+/// polygons carry their x/y envelope. Throws BadInput when a coordinate is not finite.
 [[nodiscard]] std::vector<std::byte> encode_gpb(const Geometry& geometry);
 
 /// Reads points, lines, polygons and multipolygons, with or without z and m, in both byte orders, ISO or

@@ -82,7 +82,8 @@ struct Region {
     double sigma = 0.03;  ///< of the outline's position [m]
     std::string drawn_on; ///< panorama, plan, section, typed, imported
     std::vector<Polygon> outline;
-    UnitId seen_in; ///< the cut whose side shows this region
+    bool has_heights = true; ///< false: nobody knows them, and every z of the outline is 0
+    UnitId seen_in;          ///< the cut whose side shows this region
     std::string notes;
 
     friend bool operator==(const Region&, const Region&) = default;

@@ -71,11 +71,12 @@ class LineWriter {
 
     void station(const std::array<double, 16>&) {} // follows from the matrix
 
-    void outline(const std::vector<model::Polygon>& outline) {
+    void outline(const std::vector<model::Polygon>& outline, bool has_heights) {
         std::string rings;
         const auto add = [&](std::string_view kind, const model::Ring& ring) {
             rings += kind;
-            for (const auto& p : ring) rings += fmt::format(" {} {} {}", p[0], p[1], p[2]);
+            for (const auto& p : ring)
+                rings += has_heights ? fmt::format(" {} {} {}", p[0], p[1], p[2]) : fmt::format(" {} {}", p[0], p[1]);
         };
         for (const model::Polygon& polygon : outline) {
             add(" outer", polygon.outer);

@@ -19,7 +19,7 @@
 namespace planum::store {
 
 /// Newest schema this program writes; older ones are migrated when opened for writing.
-inline constexpr std::int64_t kSchemaVersion = 3;
+inline constexpr std::int64_t kSchemaVersion = 4;
 
 enum class OpenMode { ReadOnly, ReadWrite };
 

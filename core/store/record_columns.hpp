@@ -250,7 +250,7 @@ void describe_columns(Visitor& v, T& r) {
     v.word("shows", r.shows);
     v.real("sigma", r.sigma);
     v.text("drawn_on", r.drawn_on);
-    v.outline(r.outline);
+    v.outline(r.outline, r.has_heights);
     v.reference("seen_in", r.seen_in);
     v.text("notes", r.notes);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/store/record_loader.hpp"
+#include "core/model/zero_heights.hpp"
 
 #include <algorithm>
 #include <unordered_map>
@@ -249,6 +250,7 @@ model::Record load_record(const sqlite::Database& database) {
         for (model::Interpretation& reading : record.interpretations) loosen(reading.parent, readings);
         read_readings(database, units, record.interpretations);
     }
+    model::forget_zero_heights(record);
     model::sort_record(record);
     return record;
 }

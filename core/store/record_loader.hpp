@@ -10,7 +10,8 @@
 namespace planum::store {
 
 /// The living record, sorted. What refers to a record that was deleted (in QGIS, say) refers to none, and
-/// what makes no sense without it is left out. Throws BadInput naming the table for what cannot be read.
+/// what makes no sense without it is left out; forget_zero_heights() was done. Throws BadInput naming the table for
+/// what cannot be read.
 [[nodiscard]] model::Record load_record(const sqlite::Database& database);
 
 /// What was deleted since a moment (ISO, or its beginning: a day).

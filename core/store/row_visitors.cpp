@@ -83,7 +83,7 @@ void RowBinder::line(const std::array<double, 2>& from, const std::array<double,
     statement_->bind_blob(index_++, geometry::encode_gpb({srs_id_, true, points}));
 }
 
-void RowBinder::outline(const std::vector<model::Polygon>& outline) {
+void RowBinder::outline(const std::vector<model::Polygon>& outline, bool has_heights) {
     if (outline.empty()) {
         null();
         return;
@@ -95,7 +95,7 @@ void RowBinder::outline(const std::vector<model::Polygon>& outline) {
         rings.push_back(polygon.outer);
         rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
     }
-    statement_->bind_blob(index_++, geometry::encode_gpb({srs_id_, true, std::move(polygons)}));
+    statement_->bind_blob(index_++, geometry::encode_gpb({srs_id_, has_heights, std::move(polygons)}));
 }
 
 void RowBinder::station(const std::array<double, 16>& site_from_scan) {
@@ -182,13 +182,14 @@ void RowReader::line(std::array<double, 2>& from, std::array<double, 2>& to) {
     to = {points->back()[0], points->back()[1]};
 }
 
-void RowReader::outline(std::vector<model::Polygon>& outline) {
+void RowReader::outline(std::vector<model::Polygon>& outline, bool& has_heights) {
     const auto blob = row_->blob(column_++);
     outline.clear();
     if (blob.empty()) return;
     geometry::Geometry geometry = geometry::decode_gpb(blob);
     auto* polygons = std::get_if<geometry::MultiPolygon>(&geometry.shape);
     if (polygons == nullptr) return;
+    has_heights = geometry.has_z;
     for (geometry::Rings& rings : *polygons) {
         if (rings.empty()) continue;
         model::Polygon& polygon = outline.emplace_back();

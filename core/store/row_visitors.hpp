@@ -59,7 +59,7 @@ class ColumnNames {
 
     void line(const std::array<double, 2>&, const std::array<double, 2>&) { add("geom"); }
 
-    void outline(const std::vector<model::Polygon>&) { add("geom"); }
+    void outline(const std::vector<model::Polygon>&, bool) { add("geom"); }
 
     void station(const std::array<double, 16>&) { add("geom"); }
 
@@ -106,7 +106,7 @@ class RowBinder {
     void uuid(const Uuid& id);
     void position(const std::optional<double>& x, const std::optional<double>& y, const std::optional<double>& z);
     void line(const std::array<double, 2>& from, const std::array<double, 2>& to);
-    void outline(const std::vector<model::Polygon>& outline);
+    void outline(const std::vector<model::Polygon>& outline, bool has_heights);
     void station(const std::array<double, 16>& site_from_scan);
     void details(const model::UnitDetails& details);
 
@@ -176,7 +176,7 @@ class RowReader {
     void position(std::optional<double>& x, std::optional<double>& y, std::optional<double>& z);
     void position(std::optional<double>& x, std::optional<double>& y, double& z);
     void line(std::array<double, 2>& from, std::array<double, 2>& to);
-    void outline(std::vector<model::Polygon>& outline);
+    void outline(std::vector<model::Polygon>& outline, bool& has_heights);
 
     void station(const std::array<double, 16>&) { ++column_; }
 

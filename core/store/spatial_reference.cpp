@@ -33,6 +33,7 @@ void rewrite_geometries(const sqlite::Database& database, std::string_view layer
         geometry::Geometry geometry = geometry::decode_gpb(rows.blob(1));
         if (geometry.srs_id == srs_id) continue;
         geometry.srs_id = srs_id;
+        geometry.has_z = geometry.has_z || layer != "region"; // the layers of points hold points with height
         changed.emplace_back(rows.integer(0), geometry::encode_gpb(geometry));
     }
     for (const auto& [fid, blob] : changed) {

@@ -178,11 +178,8 @@ std::vector<RegionShape> PanoramaModel::shapes() const {
         shape.rings.clear();
         for (const model::Region& region : snapshot.record().regions) {
             if (region.id != shape.region) continue;
+            if (!region.has_heights) continue; // nobody knows where it is seen
             for (const model::Polygon& polygon : region.outline) {
-                // What was drawn in plan has no heights and cannot be seen from the scanner.
-                const bool flat =
-                    std::all_of(polygon.outer.begin(), polygon.outer.end(), [](const auto& p) { return p[2] == 0.0; });
-                if (flat) continue;
                 for (PointList& ring : ring_in_picture(loaded_->panorama.projection(), scan_from_site, polygon.outer)) {
                     shape.rings.push_back(std::move(ring));
                 }
@@ -233,7 +230,7 @@ EditGround PanoramaModel::edit_ground() const {
     ground.straight = 3.0;
     ground.period = loaded_->panorama.width();
     ground.to_view = [loaded = loaded_](const geometry::Point3& x_in_site) -> std::optional<QPointF> {
-        if (x_in_site[2] == 0.0) return std::nullopt; // drawn in plan: without height it cannot be seen
+        if (std::isnan(x_in_site[2])) return std::nullopt; // without height nobody knows where it is seen
         const Eigen::Vector3d x_in_scan = loaded->site_from_scan->inverse() * Eigen::Vector3d(x_in_site.data());
         const auto pixel = loaded->panorama.projection().pixel_of(x_in_scan);
         return pixel ? std::optional(QPointF(pixel->x(), pixel->y())) : std::nullopt;

@@ -76,11 +76,8 @@ std::vector<SpaceModel::Outline> SpaceModel::outlines() const {
     if (!workspace_.is_open()) return outlines;
     for (const model::Region& region : workspace_.snapshot()->record().regions) {
         if (region.surface != time_.surface() && region.section.is_nil()) continue;
-        for (const model::Polygon& polygon : region.outline) {
-            const bool flat =
-                std::all_of(polygon.outer.begin(), polygon.outer.end(), [](const auto& p) { return p[2] == 0.0; });
-            if (!flat) outlines.push_back({region.unit, polygon.outer});
-        }
+        if (!region.has_heights) continue;
+        for (const model::Polygon& polygon : region.outline) outlines.push_back({region.unit, polygon.outer});
     }
     return outlines;
 }

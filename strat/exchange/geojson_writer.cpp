@@ -62,19 +62,19 @@ class FeatureWriter {
     }
 
     // RFC 7946: closed, the outer ring against the clock, holes with it.
-    [[nodiscard]] Json ring(const model::Ring& points, bool outer) {
+    [[nodiscard]] Json ring(const model::Ring& points, bool outer, bool has_height) {
         Json out = Json::array();
         const bool turn = (signed_area(points) > 0.0) != outer;
         for (std::size_t i = 0; i <= points.size() && !points.empty(); ++i) {
             const std::size_t at = i % points.size();
-            out.push_back(position(points[turn ? (points.size() - at) % points.size() : at], true));
+            out.push_back(position(points[turn ? (points.size() - at) % points.size() : at], has_height));
         }
         return out;
     }
 
-    [[nodiscard]] Json polygon(const model::Polygon& shape) {
-        Json rings = Json::array({ring(shape.outer, true)});
-        for (const model::Ring& hole : shape.holes) rings.push_back(ring(hole, false));
+    [[nodiscard]] Json polygon(const model::Polygon& shape, bool has_height) {
+        Json rings = Json::array({ring(shape.outer, true, has_height)});
+        for (const model::Ring& hole : shape.holes) rings.push_back(ring(hole, false, has_height));
         return rings;
     }
 
@@ -91,10 +91,10 @@ class FeatureWriter {
         }
         if (feature.outline.empty()) return nullptr;
         if (feature.outline.size() == 1) {
-            return {{"type", "Polygon"}, {"coordinates", polygon(feature.outline.front())}};
+            return {{"type", "Polygon"}, {"coordinates", polygon(feature.outline.front(), feature.has_height)}};
         }
         Json parts = Json::array();
-        for (const model::Polygon& part : feature.outline) parts.push_back(polygon(part));
+        for (const model::Polygon& part : feature.outline) parts.push_back(polygon(part, feature.has_height));
         return {{"type", "MultiPolygon"}, {"coordinates", parts}};
     }
 

@@ -58,6 +58,7 @@ class Collector {
             feature.layer = "region";
             feature.shape = Shape::Outline;
             feature.outline = region.outline;
+            feature.has_height = region.has_heights;
             feature.label = names_.has(region.unit) ? names_.unit(region.unit) : region.unit_as_drawn;
             feature.kind = region.category != model::RegionCategory::Unit ? std::string(to_word(region.category))
                            : names_.has(region.unit)                      ? kind_word(names_.unit_at(region.unit))

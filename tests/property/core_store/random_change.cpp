@@ -103,6 +103,9 @@ void shake(Dice& dice, const Record& r, Region& v) {
     v.unit = dice.id(r.units);
     v.shows = static_cast<RegionShows>(dice.below(7));
     v.outline = {Polygon{{{0, 0, dice.real()}, {dice.real(), 0, 1}, {0, dice.real(), 2}}, {}}};
+    v.has_heights = !dice.one_in(4);
+    if (v.has_heights) return;
+    for (auto& p : v.outline.front().outer) p[2] = 0.0;
 }
 
 void shake(Dice& dice, const Record& r, Interpretation& v) {

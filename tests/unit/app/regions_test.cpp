@@ -231,6 +231,43 @@ TEST_CASE("GeoJSON in degrees, without features or of something else is refused 
     CHECK(read.outlines[0].shows == model::RegionShows::Top);
 }
 
+TEST_CASE("An outline drawn without heights has none, is stored so and says none; one at 0 on a site at 0 has") {
+    Site site;
+    site.unit("1");
+    site.unit("2");
+    import(site, {drawn("1", kDay, "0 0, 4 0, 4 3, 0 3")});
+    CHECK_FALSE(site.project.record().regions.front().has_heights);
+    CHECK_FALSE(app::list_regions(site.project, "").rows[0].z_median);
+    const std::string text = app::outline_text(app::shape_with_heights(site.project.record().regions.front()));
+    CHECK(text.find('Z') == std::string::npos);
+    import(site, {drawn("2", kDay, "6 0 0, 9 0 0, 9 3 0.02")});
+    const auto rows = app::list_regions(site.project, "").rows;
+    CHECK_FALSE(rows[0].z_median);
+    CHECK(rows[1].z_min == Approx(0.0));
+}
+
+TEST_CASE("The same outline with heights takes the place of one without only where it may; without, it is the same") {
+    Site site;
+    site.unit("1");
+    import(site, {drawn("1", kDay, kLarge)});
+    CHECK(import(site, {drawn("1", kDay, "0 0, 4 0, 4 3, 0 3")}).same == 1);
+    CHECK(site.project.record().regions.front().has_heights);
+    Site flat;
+    flat.unit("1");
+    import(flat, {drawn("1", kDay, "0 0, 4 0, 4 3, 0 3")});
+    CHECK(import(flat, {drawn("1", kDay, kLarge)}).conflicts.size() == 1);
+    app::RegionImportOptions update;
+    update.update = true;
+    CHECK(import(flat, {drawn("1", kDay, kLarge)}, update).redrawn.size() == 1);
+    CHECK(flat.project.record().regions.front().has_heights);
+}
+
+TEST_CASE("A corner without height takes that of the line between its neighbours") {
+    geometry::MultiPolygon shape = app::parse_outline("0 0 5, 2 0, 4 0 6, 4 3 6");
+    CHECK(app::settle_heights(shape));
+    CHECK(shape[0][0][1][2] == Approx(5.5));
+}
+
 TEST_CASE("A typed outline and its text are the same shape") {
     const auto shape =
         app::parse_outline("MULTIPOLYGON Z (((0 0 1, 4 0 1, 4 3 1, 0 0 1), (1 0.2 1, 2 0.2 1, 2 0.4 1)), "
@@ -246,7 +283,8 @@ TEST_CASE("A typed outline and its text are the same shape") {
         INFO(same);
         CHECK(app::parse_outline(same) == triangle);
     }
-    CHECK(app::parse_outline("POLYGON M ((0 0 5, 4 0 5, 4 3 5))") == app::parse_outline("0 0, 4 0, 4 3"));
+    CHECK(app::outline_text(app::parse_outline("POLYGON M ((0 0 5, 4 0 5, 4 3 5))")) ==
+          "POLYGON ((0.000 0.000, 4.000 0.000, 4.000 3.000, 0.000 0.000))");
     for (const char* bad : {"POLYGON Q ((1 2, 3 4, 5 0))", "POLYGON EMPTY", "POLYGONX ((1 2, 3 4, 5 0))", "", "1",
                             "1 2, a b", "POLYGON(1 2, 3 4)", "POLYGON((1 2, 3 4)", "CIRCLE(1 2)", "1 2, 3 4) x"}) {
         CHECK_THROWS_AS(app::parse_outline(bad), Error);

@@ -37,6 +37,14 @@ TEST_CASE("Points, lines and polygons come back as they were written") {
     CHECK(decode_gpb(encode_gpb(with_hole())) == with_hole());
 }
 
+TEST_CASE("Polygons without heights are written without z, as OGC 06-103 numbers them, and come back so") {
+    const Geometry flat{-1, false, MultiPolygon{Rings{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}}}};
+    const std::vector<std::byte> blob = encode_gpb(flat);
+    CHECK(decode_gpb(blob) == flat);
+    CHECK(blob.size() == encode_gpb({-1, true, flat.shape}).size() - 4 * sizeof(double));
+    CHECK(blob[8 + 4 * sizeof(double) + 1] == std::byte{6}); // MULTIPOLYGON, behind header and envelope
+}
+
 TEST_CASE("An empty geometry stays empty") {
     const Geometry empty{-1, true, {}};
     CHECK(decode_gpb(encode_gpb(empty)) == empty);
