@@ -64,19 +64,6 @@ std::vector<std::size_t> bends_of_ring(const std::vector<QPointF>& at, double st
     return kept;
 }
 
-// Heights that the ground does not say run evenly between the ends; an end takes that of the nearest old point.
-void fill_heights(geometry::Line3& line, const geometry::Line3& original) {
-    const auto height_near = [&](const geometry::Point3& p) {
-        const auto nearest = std::min_element(original.begin(), original.end(), [&](const auto& a, const auto& b) {
-            return std::hypot(a[0] - p[0], a[1] - p[1]) < std::hypot(b[0] - p[0], b[1] - p[1]);
-        });
-        return nearest == original.end() ? 0.0 : (*nearest)[2];
-    };
-    for (auto& p : line) {
-        if (std::isnan(p[2])) p[2] = height_near(p);
-    }
-}
-
 } // namespace
 
 OutlineEdit::Ring corners_of(const geometry::Line3& ring, const EditGround& ground) {
@@ -115,13 +102,9 @@ geometry::Line3 ring_of(const OutlineEdit::Ring& corners, const geometry::Line3&
         geometry::Line3 line;
         if (from.seen && to.seen) {
             line = ground.to_site(from.at, to.at);
-            fill_heights(line, original);
         } else { // one end is not in the view, and stays where it was
             const auto place = [&](const OutlineEdit::Corner& corner) {
-                if (corner.original) return original[*corner.original];
-                geometry::Line3 point = {ground.to_site(corner.at, corner.at).front()};
-                fill_heights(point, original);
-                return point.front();
+                return corner.original ? original[*corner.original] : ground.to_site(corner.at, corner.at).front();
             };
             line = {place(from), place(to)};
         }
@@ -137,7 +120,7 @@ OutlineEdit::OutlineEdit(Workspace& workspace, QObject* parent) : QObject(parent
         if (region_.is_nil()) return;
         const model::Region* now = region_of(*workspace_.snapshot(), region_);
         if (now == nullptr) return choose({});
-        if (app::shape_of(now->outline) == shape_) return;
+        if (app::shape_of(now->outline) == shape_ && now->has_heights == has_heights_) return;
         load(); // drawn anew, here or elsewhere
         emit changed();
     });
@@ -167,17 +150,14 @@ void OutlineEdit::forget_steps() {
 void OutlineEdit::load() {
     forget_steps();
     rings_.clear();
-    from_.clear();
     shape_.clear();
     if (region_.is_nil() || !workspace_.is_open() || !ground_.to_view) return;
     const model::Region* region = region_of(*workspace_.snapshot(), region_);
     if (region == nullptr) return;
     shape_ = app::shape_of(region->outline);
-    for (const geometry::Rings& polygon : shape_) {
-        for (const geometry::Line3& ring : polygon) {
-            from_.push_back(&ring);
-            rings_.push_back(corners_of(ring, ground_));
-        }
+    has_heights_ = region->has_heights;
+    for (const geometry::Rings& polygon : app::shape_with_heights(*region)) {
+        for (const geometry::Line3& ring : polygon) rings_.push_back(corners_of(ring, ground_));
     }
 }
 
@@ -296,13 +276,16 @@ void OutlineEdit::finish() {
     if (region_.is_nil() || !is_changed()) return;
     auto name = std::make_shared<QString>();
     auto mended = std::make_shared<QStringList>();
+    const model::Region* before = region_of(*workspace_.snapshot(), region_);
+    if (before == nullptr) return;
+    const geometry::MultiPolygon known = app::shape_with_heights(*before);
     workspace_.edit(
         tr("Change an outline"),
-        [region = region_, shape = shape_, rings = rings_, ground = ground_, name, mended](app::Project& project,
-                                                                                           Progress& progress) {
+        [region = region_, shape = shape_, known, rings = rings_, ground = ground_, name, mended](app::Project& project,
+                                                                                                  Progress& progress) {
             geometry::MultiPolygon drawn;
             std::size_t r = 0;
-            for (const geometry::Rings& polygon : shape) {
+            for (const geometry::Rings& polygon : known) {
                 geometry::Rings made;
                 for (const geometry::Line3& ring : polygon) {
                     progress.check();
@@ -310,6 +293,8 @@ void OutlineEdit::finish() {
                 }
                 drawn.push_back(std::move(made));
             }
+            if (ground.heights) ground.heights(project, drawn, progress);
+            geometry::take_heights(drawn, known);
             for (const std::string& one : app::redraw_region(project, region, shape, drawn)) *mended << qt(one);
             const auto& regions = project.record().regions;
             const auto found =

@@ -17,11 +17,15 @@ namespace planum::gui {
 
 /// How a view and the site go together, for outlines that are changed on it. Unset functions: nothing can be changed.
 struct EditGround {
-    /// Where a place of the site [m] stands in the view; nullopt: not to be seen in it.
+    /// Where a place of the site [m] stands in the view; nullopt: not to be seen in it. Its z is NaN where the outline
+    /// has no heights.
     std::function<std::optional<QPointF>(const geometry::Point3&)> to_view;
     /// A straight line of the view on the ground, both ends included; runs in a thread. A height of NaN is taken from
-    /// the outline. Throws Error where nothing is to be seen.
+    /// heights(), else from the outline. Throws Error where nothing is to be seen.
     std::function<geometry::Line3(QPointF from, QPointF to)> to_site;
+    /// Gives points whose height is NaN that of the ground, where it is known; in a thread. Unset: the view does not
+    /// know.
+    std::function<void(app::Project&, geometry::MultiPolygon&, Progress&)> heights;
     double period = 0.0;    ///< a view around the horizon comes back to itself after so much to the right; 0: none
     double straight = 0.03; ///< what lies so near to a line between two corners is no corner, as the view counts
 };
@@ -110,8 +114,8 @@ class OutlineEdit : public QObject {
     QString view_;
     EditGround ground_;
     model::RegionId region_;
-    geometry::MultiPolygon shape_;             ///< as it was
-    std::vector<const geometry::Line3*> from_; ///< of shape_, for each of rings_
+    geometry::MultiPolygon shape_; ///< as it was
+    bool has_heights_ = true;      ///< of shape_
     std::vector<Ring> rings_;
     std::vector<std::vector<Ring>> past_;
     std::vector<std::vector<Ring>> future_;
@@ -122,7 +126,8 @@ class OutlineEdit : public QObject {
 /// The corners of a ring as a view shows it: where it bends by more than `ground.straight`.
 [[nodiscard]] OutlineEdit::Ring corners_of(const geometry::Line3& ring, const EditGround& ground);
 
-/// The ring that its corners say now: untouched stretches of `original`, new lines from the ground.
+/// The ring that its corners say now: untouched stretches of `original`, new lines from the ground, with its
+/// NaN.
 [[nodiscard]] geometry::Line3 ring_of(const OutlineEdit::Ring& corners, const geometry::Line3& original,
                                       const EditGround& ground);
 

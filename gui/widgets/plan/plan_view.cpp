@@ -4,10 +4,10 @@
 #include <QPainter>
 
 #include <cmath>
-#include <limits>
 
 #include "app/scans/scan_stores.hpp"
 #include "gui/viewmodels/models.hpp"
+#include "gui/viewmodels/plan_ground.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/flat/outline_bar.hpp"
 #include "gui/widgets/theme.hpp"
@@ -186,31 +186,14 @@ QString PlanView::words_for(QPointF place) const {
 
 void PlanView::refresh() {
     const model::SurfaceId surface = models_.time.surface();
-    OutlineTool::ToOutlines ground;
-    if (!surface.is_nil()) {
-        ground = [surface](app::Project&, const app::DrawnOutline& labels, const PointList& corners, Progress&) {
-            app::DrawnOutline outline = labels;
-            outline.on_surface = surface;
-            outline.drawn_on = "plan";
-            geometry::Line3 ring;
-            for (const QPointF& p : corners) ring.push_back({p.x(), p.y(), 0.0}); // no heights in plan
-            outline.shape = {{ring}};
-            return app::OutlineFile{{outline}, {}};
-        };
-    }
-    EditGround edit;
-    if (!surface.is_nil()) {
-        edit.to_view = [](const geometry::Point3& x_in_site) { return QPointF(x_in_site[0], x_in_site[1]); };
-        edit.to_site = [](QPointF from, QPointF to) {
-            constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-            return geometry::Line3{{from.x(), from.y(), kUnknown}, {to.x(), to.y(), kUnknown}};
-        };
-    }
     // Made again after every change of the record, which must not take the tool out of somebody's hand.
     if (surface != ground_of_ || surface.is_nil()) {
         ground_of_ = surface;
-        bar_->set_ground(std::move(ground), surface.is_nil() ? tr("There is no surface to draw on yet.") : QString(),
-                         std::move(edit));
+        if (surface.is_nil()) {
+            bar_->set_ground({}, tr("There is no surface to draw on yet."));
+        } else {
+            bar_->set_ground(plan_ground(surface), {}, plan_edit_ground(surface));
+        }
     }
     canvas_->refresh();
 }
