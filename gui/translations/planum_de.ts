@@ -610,6 +610,21 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::ContentsPanel</name>
+    <message>
+        <source>What is shown in 3D</source>
+        <translation>Was in 3D zu sehen ist</translation>
+    </message>
+    <message>
+        <source>As the time line</source>
+        <translation>Wie die Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Show what the time line stands on, and forget what was checked and cleared here</source>
+        <translation>Zeigt, worauf die Zeitleiste steht, und vergisst, was hier an- und abgewählt wurde</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::DayJobs</name>
     <message>
         <source>%1: read as %2</source>
@@ -2246,6 +2261,29 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::SpaceContents</name>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>it is not on the site grid yet</source>
+        <translation>steht noch nicht im Grabungsnetz</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>it has no heights</source>
+        <translation>hat keine Höhen</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>Profil %1</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::SpaceModel</name>
     <message>
         <source>Opening the points</source>
@@ -2374,8 +2412,16 @@
         <translation>Zurücknehmen: %1</translation>
     </message>
     <message>
+        <source>Shown</source>
+        <translation>Zu sehen</translation>
+    </message>
+    <message>
+        <source>Surfaces, scans and outlines on and off, one by one</source>
+        <translation>Oberflächen, Scans und Umrisse einzeln ein- und ausblenden</translation>
+    </message>
+    <message>
         <source>difference to another surface</source>
-        <translation>Unterschied zu einer anderen Fläche</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

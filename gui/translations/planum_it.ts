@@ -610,6 +610,21 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::ContentsPanel</name>
+    <message>
+        <source>What is shown in 3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the time line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what the time line stands on, and forget what was checked and cleared here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::DayJobs</name>
     <message>
         <source>%1: read as %2</source>
@@ -2246,6 +2261,29 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::SpaceContents</name>
+    <message>
+        <source>Scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not on the site grid yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::SpaceModel</name>
     <message>
         <source>Opening the points</source>
@@ -2371,6 +2409,14 @@
     </message>
     <message>
         <source>Take back: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surfaces, scans and outlines on and off, one by one</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

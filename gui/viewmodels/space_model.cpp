@@ -2,6 +2,8 @@
 #include "gui/viewmodels/space_model.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "gui/viewmodels/region_shapes.hpp"
@@ -10,11 +12,10 @@
 namespace planum::gui {
 
 SpaceModel::SpaceModel(Workspace& workspace, TimeModel& time, QObject* parent)
-    : QObject(parent), workspace_(workspace), time_(time), scans_(std::make_shared<std::vector<app::PlacedScan>>()) {
-    connect(&time_, &TimeModel::moved, this, [this] {
-        if (!all_) load();
-        emit outlinesChanged();
-    });
+    : QObject(parent), workspace_(workspace), time_(time), contents_(workspace, time),
+      scans_(std::make_shared<std::vector<app::PlacedScan>>()) {
+    connect(&contents_, &SpaceContents::scansChanged, this, &SpaceModel::load);
+    connect(&contents_, &SpaceContents::outlinesChanged, this, &SpaceModel::outlinesChanged);
     connect(&workspace_, &Workspace::snapshotChanged, this, [this] {
         load();
         emit outlinesChanged();
@@ -35,23 +36,24 @@ void SpaceModel::set_watched(bool watched) {
     if (watched_ && stale_) load();
 }
 
-void SpaceModel::set_all_surfaces(bool all) {
-    if (all == all_) return;
-    all_ = all;
-    load();
-}
-
 void SpaceModel::load() {
     stale_ = true;
     if (!watched_ || !workspace_.is_open()) return;
     stale_ = false;
     loading_ = true;
     trouble_.clear();
+    std::vector<model::ScanId> shown;
+    for (const model::Scan& scan : workspace_.snapshot()->record().scans) {
+        if (contents_.shows(scan)) shown.push_back(scan.id);
+    }
+    std::sort(shown.begin(), shown.end());
     workspace_.read(
         QStringLiteral("3d"), tr("Opening the points"),
-        [this, surface = time_.surface(), all = all_](app::Project& project, Progress& progress) -> JobRunner::Done {
+        [this, shown](app::Project& project, Progress& progress) -> JobRunner::Done {
             auto scans = std::make_shared<const std::vector<app::PlacedScan>>(app::placed_scans(
-                project, [&](const model::Scan& scan) { return all || scan.surface == surface; }, progress));
+                project,
+                [&](const model::Scan& scan) { return std::binary_search(shown.begin(), shown.end(), scan.id); },
+                progress));
             return [this, scans] {
                 loading_ = false;
                 const bool same =
@@ -75,11 +77,18 @@ std::vector<SpaceModel::Outline> SpaceModel::outlines() const {
     std::vector<Outline> outlines;
     if (!workspace_.is_open()) return outlines;
     for (const model::Region& region : workspace_.snapshot()->record().regions) {
-        if (region.surface != time_.surface() && region.section.is_nil()) continue;
-        if (!region.has_heights) continue;
+        if (!contents_.shows(region)) continue;
         for (const model::Polygon& polygon : region.outline) outlines.push_back({region.unit, polygon.outer});
     }
     return outlines;
+}
+
+std::size_t SpaceModel::place_of_day(const std::string& day) const {
+    std::set<std::string> days;
+    if (workspace_.is_open()) {
+        for (const model::Scan& scan : workspace_.snapshot()->record().scans) days.insert(scan.day);
+    }
+    return static_cast<std::size_t>(std::distance(days.begin(), days.lower_bound(day)));
 }
 
 model::SurfaceId SpaceModel::surface() const { return time_.surface(); }

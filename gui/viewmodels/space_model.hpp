@@ -5,17 +5,20 @@
 #include <QString>
 
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/scans/scan_stores.hpp"
+#include "gui/viewmodels/space_contents.hpp"
 #include "gui/viewmodels/workspace.hpp"
 
 namespace planum::gui {
 
 class TimeModel;
 
-/// What the 3D view shows: the placed scans of the surface that the time line shows (or of all), and the outlines.
+/// What the 3D view shows: the placed scans and the outlines that contents() asks for.
 class SpaceModel : public QObject {
     Q_OBJECT
 
@@ -28,8 +31,9 @@ class SpaceModel : public QObject {
     SpaceModel(Workspace& workspace, TimeModel& time, QObject* parent = nullptr);
 
     void set_watched(bool watched);
-    /// Scans of all surfaces at once instead of those of one.
-    void set_all_surfaces(bool all);
+
+    /// Which scans and outlines are shown, and the choice of them.
+    [[nodiscard]] SpaceContents& contents() noexcept { return contents_; }
 
     [[nodiscard]] const std::vector<app::PlacedScan>& scans() const noexcept { return *scans_; }
 
@@ -38,7 +42,10 @@ class SpaceModel : public QObject {
 
     [[nodiscard]] std::vector<Outline> outlines() const;
 
-    /// Whose outlines are shown; nil: none.
+    /// Which of the days of all scans of the site a day is, from 0: its colour stays when others are shown.
+    [[nodiscard]] std::size_t place_of_day(const std::string& day) const;
+
+    /// The surface that the time line stands on; nil: none.
     [[nodiscard]] model::SurfaceId surface() const;
 
     /// The unit whose outline on the current surface holds a place of the site, smallest first; nil: none.
@@ -59,8 +66,8 @@ class SpaceModel : public QObject {
 
     Workspace& workspace_;
     TimeModel& time_;
+    SpaceContents contents_;
     std::shared_ptr<const std::vector<app::PlacedScan>> scans_;
-    bool all_ = false;
     bool watched_ = false;
     bool stale_ = true;
     bool loading_ = false;

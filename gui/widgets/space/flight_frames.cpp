@@ -66,7 +66,7 @@ int write_flight(Models& models, const FlightRequest& request, const std::functi
     go_to_surface(models.time, request.surface);
 
     SpaceModel space(models.workspace, models.time);
-    space.set_all_surfaces(request.surface == kAllSurfaces);
+    space.contents().set_all_surfaces(request.surface == kAllSurfaces);
     SpaceCanvas canvas(models.workspace, space);
     QString trouble;
     const auto note = [&](const QString& sentence) { trouble = sentence; };

@@ -35,6 +35,7 @@ constexpr std::uint64_t kFlightPoints = 1'500'000; // of each frame of a flight:
 constexpr int kSettle = 180; // [ms] at least without a move before the fine set is chosen; of a slow frame, half as
                              // long again as it took, else the set is chosen between two moves
 constexpr double kSlowFrame = 70.0; // [ms]: from then on points are drawn smaller while the camera moves
+constexpr const char* kMovingLane = "points moving";
 constexpr const char* kStillLane = "points still";
 constexpr int kStep = 25; // [ms] of work on the still picture between two looks at what was pressed
 constexpr double kClick = 4.0;
@@ -165,33 +166,30 @@ void SpaceCanvas::initializeGL() {
 }
 
 void SpaceCanvas::take_scans() {
-    const bool first = scans_.empty();
     scans_.clear();
-    std::vector<std::string> days;
-    for (const app::PlacedScan& placed : space_.scans()) {
-        auto day = std::find(days.begin(), days.end(), placed.scan.day);
-        if (day == days.end()) day = days.insert(days.end(), placed.scan.day);
-        scans_.push_back({placed.store, placed.site_from_scan, tint_of(static_cast<std::size_t>(day - days.begin()))});
-    }
-    if (scans_.empty()) {
-        if (can_draw()) {
-            makeCurrent();
-            renderer_->set_moving({});
-            doneCurrent();
-        }
-        settle_.stop();
-        step_.stop();
-        still_ = false;
-        setProperty("busy", false);
-        update();
-        return;
-    }
-    const SceneBounds bounds = bounds_of(scans_);
-    origin_ = bounds.middle;
-    if (first) fit();
-    take_lines();
+    for (const app::PlacedScan& placed : space_.scans())
+        scans_.push_back({placed.store, placed.site_from_scan, tint_of(space_.place_of_day(placed.scan.day))});
+    if (!workspace_.is_open()) fitted_ = false;
+    if (!scans_.empty()) origin_ = bounds_of(scans_).middle;
+    if (!scans_.empty() && !std::exchange(fitted_, true)) fit();
+    take_lines(); // where all scans are switched off, outlines may be left
+    if (scans_.empty()) return show_no_points();
     ask_for_points(SceneRenderer::Slot::Moving);
     move();
+}
+
+void SpaceCanvas::show_no_points() {
+    for (const char* lane : {kMovingLane, kStillLane}) workspace_.jobs().cancel(QString::fromLatin1(lane));
+    if (can_draw()) {
+        makeCurrent();
+        renderer_->set_moving({});
+        doneCurrent();
+    }
+    settle_.stop();
+    step_.stop();
+    still_ = false;
+    setProperty("busy", false);
+    update();
 }
 
 // The trench is where the outlines are; without any, where the scanners stood.
@@ -268,6 +266,7 @@ void SpaceCanvas::show_frame(const Camera& camera) {
 void SpaceCanvas::move() {
     flight_.stop();
     workspace_.jobs().cancel(QString::fromLatin1(kStillLane));
+    if (scans_.empty()) return show_no_points();
     still_ = false;
     step_.stop();
     settle_.start(std::max(kSettle, static_cast<int>(1.5 * frame_ms_)));
@@ -305,8 +304,8 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
     query.height_low = low_;
     query.height_high = high_;
     workspace_.jobs().start(
-        query.everywhere ? QStringLiteral("points moving") : QString::fromLatin1(kStillLane),
-        JobRunner::Queueing::Newest, tr("Choosing points"), Job::Kind::Quiet,
+        QString::fromLatin1(query.everywhere ? kMovingLane : kStillLane), JobRunner::Queueing::Newest,
+        tr("Choosing points"), Job::Kind::Quiet,
         [this, query, slot, scans = scans_, snapshot = workspace_.snapshot(), surface = space_.surface(),
          difference = difference_](Progress& progress) mutable -> JobRunner::Done {
             if (query.colour == PointColour::Unit && snapshot != nullptr && !surface.is_nil())
@@ -332,10 +331,15 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
 
 void SpaceCanvas::take_lines() {
     if (!can_draw()) return;
+    const std::vector<SpaceModel::Outline> outlines = space_.outlines();
+    if (scans_.empty() && !outlines.empty()) {
+        origin_ = Eigen::Vector3d(outlines.front().ring.front().data());
+        if (!std::exchange(fitted_, true)) fit();
+    }
     std::vector<SceneLine> lines;
     const Proof& proof = workspace_.proof();
     const auto colour = [](const QColor& c) { return static_cast<std::uint32_t>(c.rgb() & 0xffffffU); };
-    for (const SpaceModel::Outline& outline : space_.outlines()) {
+    for (const SpaceModel::Outline& outline : outlines) {
         SceneLine line;
         for (const auto& p : outline.ring) line.places.emplace_back(p.data());
         line.closed = true;

@@ -77,6 +77,7 @@ class SpaceCanvas : public QOpenGLWidget {
 
     void drop_renderer();
     void take_scans();
+    void show_no_points();
     void take_lines();
     void move();
     void go_on_with_still();
@@ -97,7 +98,8 @@ class SpaceCanvas : public QOpenGLWidget {
     PointColour colour_ = PointColour::Colour;
     std::shared_ptr<const GroundColours> difference_;
     bool eye_dome_ = true;
-    bool still_ = false; ///< the still picture is finished and fits the camera
+    bool fitted_ = false; ///< the camera looks at this project; choosing what is shown does not turn it
+    bool still_ = false;  ///< the still picture is finished and fits the camera
     QTimer settle_;
     QTimer step_; ///< runs while the still picture is made
     QPointF last_;

@@ -15,6 +15,7 @@
 #include "gui/viewmodels/models.hpp"
 #include "gui/widgets/choice_dialog.hpp"
 #include "gui/widgets/space/box_panel.hpp"
+#include "gui/widgets/space/contents_panel.hpp"
 #include "gui/widgets/space/difference_bar.hpp"
 #include "gui/widgets/space/flight_cameras.hpp"
 #include "gui/widgets/space/space_canvas.hpp"
@@ -49,12 +50,18 @@ void SpaceView::make_canvas() {
     cameras_ = new FlightCameras(models_.workspace);
     cameras_->setParent(this);
     cameras_->setObjectName(QStringLiteral("flightCameras"));
+    contents_ = new ContentsPanel(space_.contents());
     column_->addWidget(make_bar());
     column_->addWidget(compared_);
     column_->addWidget(box_);
-    column_->addWidget(canvas_, 1);
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(6);
+    middle->addWidget(contents_);
+    middle->addWidget(canvas_, 1);
+    column_->addLayout(middle, 1);
     compared_->hide();
     box_->hide();
+    contents_->hide();
     connect(box_, &BoxPanel::changed, canvas_, &SpaceCanvas::set_box);
     FlightWriter& flight = canvas_->flight();
     connect(&flight, &FlightWriter::flying, this,
@@ -79,7 +86,7 @@ QWidget* SpaceView::make_bar() {
     dome->setChecked(true);
     connect(dome, &QCheckBox::toggled, canvas_, &SpaceCanvas::set_eye_dome);
     auto* all = new QCheckBox(tr("all surfaces"));
-    connect(all, &QCheckBox::toggled, &space_, &SpaceModel::set_all_surfaces);
+    connect(all, &QCheckBox::toggled, &space_.contents(), &SpaceContents::set_all_surfaces);
     const auto button = [this](const QString& text, const QString& tip, auto press) {
         auto* made = new QToolButton;
         made->setText(text);
@@ -96,10 +103,19 @@ QWidget* SpaceView::make_bar() {
         box_->setVisible(on);
         if (!on) box_->reset();
     });
+    auto* shown = new QToolButton;
+    shown->setObjectName(QStringLiteral("spaceShown"));
+    shown->setText(tr("Shown"));
+    shown->setCheckable(true);
+    shown->setToolTip(tr("Surfaces, scans and outlines on and off, one by one"));
+    connect(shown, &QToolButton::toggled, this, [this](bool on) {
+        contents_->setVisible(on);
+        if (on) contents_->setFocus();
+    });
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(8, 6, 8, 6);
-    for (QWidget* part : std::initializer_list<QWidget*>{colour_, dome, all, cut, make_flight_button()})
+    for (QWidget* part : std::initializer_list<QWidget*>{colour_, dome, all, shown, cut, make_flight_button()})
         row->addWidget(part);
     row->addStretch(1);
     row->addWidget(said_);

@@ -16,6 +16,7 @@ namespace planum::gui {
 
 struct Models;
 class BoxPanel;
+class ContentsPanel;
 class DifferenceBar;
 class FlightCameras;
 class SpaceCanvas;
@@ -53,6 +54,7 @@ class SpaceView : public QWidget {
     DifferenceBar* compared_ = nullptr;
     BoxPanel* box_ = nullptr;
     FlightCameras* cameras_ = nullptr;
+    ContentsPanel* contents_ = nullptr;
     QVBoxLayout* column_;
     QLabel* said_;
     bool tried_ = false;
