@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QFontMetrics>
 #include <QKeySequence>
 #include <QLabel>
 #include <QMenuBar>
@@ -16,6 +17,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "gui/viewmodels/dock_sizes.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/language.hpp"
 #include "gui/widgets/theme.hpp"
@@ -105,8 +107,10 @@ void MainWindow::make_views() {
     for (const auto& [name, dock] : docks_) {
         if (name == "problems") dock->raise();
     }
-    resizeDocks({docks_.at("units"), docks_.at("card")}, {390, 380}, Qt::Horizontal);
-    resizeDocks({docks_.at("problems")}, {350}, Qt::Vertical);
+    const QFontMetrics metrics = fontMetrics();
+    const DockSizes sizes = dock_sizes(metrics.horizontalAdvance(QLatin1Char('0')), metrics.lineSpacing(), size());
+    resizeDocks({docks_.at("units"), docks_.at("card")}, {sizes.units, sizes.card}, Qt::Horizontal);
+    resizeDocks({docks_.at("problems")}, {sizes.below}, Qt::Vertical);
 }
 
 // Every word of the window would have to be set again, so what is chosen holds from the next start on.
