@@ -8,6 +8,7 @@
 #include "gui/viewmodels/patch_model.hpp"
 #include "gui/viewmodels/problem_list_model.hpp"
 #include "gui/viewmodels/relation_entry_model.hpp"
+#include "gui/viewmodels/section_model.hpp"
 #include "gui/viewmodels/time_model.hpp"
 #include "gui/viewmodels/unit_card_model.hpp"
 #include "gui/viewmodels/unit_list_model.hpp"
@@ -30,6 +31,7 @@ struct Models {
     TimeModel time{workspace};
     OutlineTool outline{workspace};
     OutlineEdit edit{workspace};
+    SectionModel sections{workspace};
     PatchModel patches{workspace, time, outline};
     DayJobs day{workspace};
     Inquiry inquiry{workspace};

@@ -94,6 +94,20 @@ std::optional<model::Section> SectionModel::section() const {
     return choices_[static_cast<std::size_t>(chosen_)].section;
 }
 
+std::vector<SectionModel::Line> SectionModel::lines_in_plan() const {
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+        const model::Section& section = choices_[i].section;
+        const bool chosen = static_cast<int>(i) == chosen_;
+        if (section.id.is_nil() && !chosen) continue; // nobody asked for it
+        lines.push_back({{section.from_in_site[0], section.from_in_site[1]},
+                         {section.to_in_site[0], section.to_in_site[1]},
+                         choices_[i].name,
+                         chosen});
+    }
+    return lines;
+}
+
 void SectionModel::look() {
     const auto wanted = section();
     if (!watched_ || !wanted) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointF>
 #include <QString>
 
 #include <memory>
@@ -37,6 +38,19 @@ class SectionModel : public QObject {
     void choose(int choice);
 
     [[nodiscard]] std::optional<model::Section> section() const;
+
+    /// Where a section runs in plan.
+    struct Line {
+        QPointF from;
+        QPointF to;
+        QString name;
+        bool chosen = false;
+
+        friend bool operator==(const Line&, const Line&) = default;
+    };
+
+    /// The sections of the record, and the cut that is looked at.
+    [[nodiscard]] std::vector<Line> lines_in_plan() const;
 
     /// What the scans show, x along the section and y height [m]; null: nothing, or not yet.
     [[nodiscard]] const std::shared_ptr<const geometry::MapSheet>& sheet() const noexcept { return sheet_; }

@@ -40,7 +40,7 @@ QString PlanCanvas::empty_text() const {
 
 void PlanCanvas::refresh() {
     marks_.clear();
-    sections_.clear();
+    sections_ = models().sections.lines_in_plan();
     extent_ = {};
     std::vector<RegionShape> shapes;
     if (models().workspace.is_open()) {
@@ -63,11 +63,6 @@ void PlanCanvas::refresh() {
                     {Mark::Kind::Level, {*level.x, *level.y}, QString::number(level.z, 'f', 2), level.unit});
             }
         }
-        for (const model::Section& section : record.sections) {
-            sections_.push_back({{section.from_in_site[0], section.from_in_site[1]},
-                                 {section.to_in_site[0], section.to_in_site[1]},
-                                 qt(section.name)});
-        }
         // The whole site, so that the plan does not jump when the time line moves.
         for (const model::Region& region : record.regions) {
             for (const model::Polygon& polygon : region.outline) {
@@ -80,6 +75,12 @@ void PlanCanvas::refresh() {
             extent_ = extent_.united(QRectF(mark.place - QPointF(0.5, 0.5), QSizeF(1.0, 1.0)));
     }
     set_shapes(std::move(shapes));
+}
+
+void PlanCanvas::show_sections(std::vector<SectionModel::Line> sections) {
+    if (sections == sections_) return;
+    sections_ = std::move(sections);
+    update();
 }
 
 void PlanCanvas::paint_ground(QPainter& painter, const QRectF& seen) {
@@ -159,8 +160,8 @@ void PlanCanvas::paint_over(QPainter& painter) {
     for (double y = std::ceil(low.y() / step) * step; y <= high.y(); y += step) {
         painter.drawText(QPointF(4.0, to_screen({0.0, y}).y() - 3.0), metres(y));
     }
-    for (const SectionLine& section : sections_) {
-        painter.setPen(QPen(theme().accent, 1.6, Qt::DashDotLine));
+    for (const SectionModel::Line& section : sections_) {
+        painter.setPen(QPen(theme().accent, section.chosen ? 2.2 : 1.4, Qt::DashDotLine));
         painter.drawLine(to_screen(section.from), to_screen(section.to));
         painter.drawText(to_screen(section.from) + QPointF(4, -4), section.name);
     }
@@ -175,6 +176,8 @@ PlanView::PlanView(Models& models)
     connect(&models_.time, &TimeModel::moved, this, &PlanView::refresh);
     connect(&models_.time, &TimeModel::changed, this, &PlanView::refresh);
     connect(&models_.workspace, &Workspace::selectionChanged, canvas_, &PlanCanvas::refresh);
+    connect(&models_.sections, &SectionModel::changed, canvas_,
+            [this] { canvas_->show_sections(models_.sections.lines_in_plan()); });
     connect(&models_.patches, &PatchModel::changed, canvas_,
             [this] { canvas_->set_patches(models_.patches.shapes()); });
     refresh();

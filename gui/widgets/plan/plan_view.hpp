@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
+#include "gui/viewmodels/section_model.hpp"
 #include "gui/widgets/flat/flat_canvas.hpp"
 #include "gui/widgets/flat/flat_page.hpp"
 
@@ -16,6 +19,8 @@ class PlanCanvas : public FlatCanvas {
     explicit PlanCanvas(Models& models);
 
     void refresh();
+    /// Draws these lines instead of those before.
+    void show_sections(std::vector<SectionModel::Line> sections);
 
   protected:
     void paint_ground(QPainter& painter, const QRectF& seen) override;
@@ -35,18 +40,12 @@ class PlanCanvas : public FlatCanvas {
         model::UnitId unit;
     };
 
-    struct SectionLine {
-        QPointF from;
-        QPointF to;
-        QString name;
-    };
-
     void paint_marks(QPainter& painter);
     void paint_scale_bar(QPainter& painter);
 
     QRectF extent_;
     std::vector<Mark> marks_;
-    std::vector<SectionLine> sections_;
+    std::vector<SectionModel::Line> sections_;
 };
 
 class PlanView : public FlatPage {

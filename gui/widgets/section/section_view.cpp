@@ -107,7 +107,7 @@ void SectionCanvas::paint_over(QPainter& painter) {
 }
 
 SectionView::SectionView(Models& models)
-    : sections_(models.workspace), choice_(new QComboBox), canvas_(new SectionCanvas(models)),
+    : sections_(models.sections), choice_(new QComboBox), canvas_(new SectionCanvas(models)),
       bar_(new OutlineBar(models, kSection)) {
     lay_out(kSection, canvas_, bar_, {choice_});
     choice_->setObjectName(QStringLiteral("sectionChoice"));

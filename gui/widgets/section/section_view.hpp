@@ -61,7 +61,7 @@ class SectionView : public FlatPage {
     void refresh();
     void set_ground();
 
-    SectionModel sections_;
+    SectionModel& sections_;
     QComboBox* choice_;
     SectionCanvas* canvas_;
     OutlineBar* bar_;

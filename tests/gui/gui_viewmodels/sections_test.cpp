@@ -49,3 +49,36 @@ TEST_CASE("Without a section in the record there are cuts through the middle of 
 }
 
 TEST_CASE("Where nothing has a place there is no cut") { CHECK(middle_cuts({}).empty()); }
+
+TEST_CASE("The plan marks the sections of the record, and of the cuts the one that is looked at") {
+    const test::TemporaryFolder folder;
+    test::ensure_core_application();
+    {
+        app::Project project = test::make_measured_days(folder, folder / "site.gpkg");
+        project.change("section", [&] {
+            model::Section section;
+            section.name = "S 1";
+            section.from_in_site = {0.0, 0.25};
+            section.to_in_site = {2.0, 0.25};
+            project.file().insert(section);
+        });
+    }
+    Models models{app::Session{"Ada"}};
+    models.workspace.open(folder / "site.gpkg", store::OpenMode::ReadWrite);
+    settle(models.workspace);
+    SectionModel& sections = models.sections;
+    REQUIRE(sections.choices().size() == 3);
+    auto lines = sections.lines_in_plan();
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].name == QStringLiteral("S 1"));
+    CHECK(lines[0].chosen);
+    sections.choose(2);
+    lines = sections.lines_in_plan();
+    REQUIRE(lines.size() == 2);
+    CHECK_FALSE(lines[0].chosen);
+    CHECK(lines[1].chosen);
+    CHECK(lines[1].from.x() == lines[1].to.x()); // from south to north
+    CHECK(lines[1].from.y() < 0.0);
+    sections.choose(0);
+    CHECK(sections.lines_in_plan().size() == 1);
+}
