@@ -324,6 +324,17 @@ MultiPolygon offset(const MultiPolygon& shape, double distance) {
     return moved;
 }
 
+MultiPolygon simplified_apart(const MultiPolygon& shape, double tolerance) {
+    if (shape.empty()) return {};
+    const Geos geos;
+    const Owned from = to_geos(geos, shape);
+    const Owned made = own(geos, GEOSTopologyPreserveSimplify_r(geos.handle(), from.get(), tolerance));
+    MultiPolygon simple = from_geos(geos, made.get());
+    forget_heights(simple, shape);
+    take_heights(simple, shape);
+    return simple;
+}
+
 std::array<double, 2> inner_place(const MultiPolygon& shape) {
     const Geos geos;
     const auto h = geos.handle();

@@ -33,6 +33,10 @@ struct SoundPolygon {
 /// The outline moved inwards (distance < 0) or outwards [m]; may be empty.
 [[nodiscard]] MultiPolygon offset(const MultiPolygon& shape, double distance);
 
+/// The outline without points that lie closer than about `tolerance` [m] to what remains, of which no two rings meet
+/// and none meets itself: where geometry::simplified() would, points stay. Requires a valid outline.
+[[nodiscard]] MultiPolygon simplified_apart(const MultiPolygon& shape, double tolerance);
+
 /// A place well inside, for a label [m]. Throws BadInput for an empty shape.
 [[nodiscard]] std::array<double, 2> inner_place(const MultiPolygon& shape);
 

@@ -233,8 +233,7 @@ geometry::Line3 through_middles(const geometry::Line3& ring, double cell) {
 }
 
 // A ring has no ends; from its first corner and the one farthest from it it is two lines.
-geometry::Line3 simplified_ring(const geometry::Line3& cells, double cell, double tolerance) {
-    const geometry::Line3 ring = through_middles(cells, cell);
+geometry::Line3 simplified_ring(const geometry::Line3& ring, double tolerance) {
     const auto from_first = [&](const geometry::Point3& p) { return std::hypot(p[0] - ring[0][0], p[1] - ring[0][1]); };
     const auto far = std::max_element(ring.begin(), ring.end(),
                                       [&](const auto& a, const auto& b) { return from_first(a) < from_first(b); });
@@ -244,16 +243,39 @@ geometry::Line3 simplified_ring(const geometry::Line3& cells, double cell, doubl
     back = geometry::simplified(back, tolerance);
     geometry::Line3 simple(there.begin(), there.end() - 1);
     simple.insert(simple.end(), back.begin(), back.end() - 1);
-    return simple.size() >= 3 ? simple : cells;
+    return simple.size() >= 3 ? simple : ring;
 }
 
-// A line that meets itself after simplifying is drawn as the cells run.
-geometry::MultiPolygon sound_or(geometry::MultiPolygon simple, const geometry::MultiPolygon& cells) {
+// The shape made sound, where nothing of it is lost by that; else empty.
+geometry::MultiPolygon whole(const geometry::MultiPolygon& shape, std::size_t parts) {
     try {
-        geometry::MultiPolygon sound = geometry::make_sound(simple).shape;
-        if (sound.size() == cells.size()) return sound;
-    } catch (const Error&) {
-        return cells;
+        geometry::MultiPolygon sound = geometry::make_sound(shape).shape;
+        if (sound.size() == parts) return sound;
+    } catch (const Error&) { // it crosses itself where it matters
+    }
+    return {};
+}
+
+// A ring that would meet itself keeps points there, and so do all rings where two would meet; the rest of the outline
+// is as simple as it would be without.
+geometry::MultiPolygon simplified_patch(const geometry::MultiPolygon& cells, double cell, double tolerance) {
+    geometry::MultiPolygon middles = cells;
+    for (geometry::Rings& rings : middles) {
+        for (geometry::Line3& ring : rings) ring = through_middles(ring, cell);
+    }
+    geometry::MultiPolygon simple = middles;
+    for (geometry::Rings& rings : simple) {
+        for (geometry::Line3& ring : rings) {
+            const geometry::MultiPolygon full = {{ring}};
+            ring = simplified_ring(ring, tolerance);
+            if (!whole({{ring}}, 1).empty()) continue;
+            const geometry::MultiPolygon apart = geometry::simplified_apart(full, tolerance);
+            ring = apart.empty() ? full.front().front() : apart.front().front();
+        }
+    }
+    for (const geometry::MultiPolygon& one : {simple, geometry::simplified_apart(middles, tolerance), middles}) {
+        geometry::MultiPolygon sound = whole(one, cells.size());
+        if (!sound.empty()) return sound;
     }
     return cells;
 }
@@ -266,13 +288,8 @@ geometry::MultiPolygon drawn(geometry::MultiPolygon cells, const SurfaceGrid& af
         rings.erase(std::remove_if(rings.begin() + 1, rings.end(), small), rings.end());
     }
     const double tolerance = options.simplify;
-    geometry::MultiPolygon shape = cells;
-    for (geometry::Rings& rings : shape) {
-        for (geometry::Line3& ring : rings) {
-            if (tolerance > 0.0) ring = simplified_ring(ring, after.frame.cell, tolerance);
-        }
-    }
-    if (tolerance > 0.0) shape = sound_or(std::move(shape), cells);
+    geometry::MultiPolygon shape =
+        tolerance > 0.0 ? simplified_patch(cells, after.frame.cell, tolerance) : std::move(cells);
     for (geometry::Rings& rings : shape) {
         for (geometry::Line3& ring : rings) {
             for (geometry::Point3& point : ring) point[2] = height_near(after, point[0], point[1]);

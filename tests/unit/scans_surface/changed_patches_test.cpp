@@ -138,3 +138,42 @@ TEST_CASE("Sides part the bottom of a pit from the ground around it, and specks 
     CHECK(changed_patches(surface_difference(before, speckled, 0.02), speckled, no_labels(frame), no_labels(frame))
               .empty());
 }
+
+TEST_CASE("No outline of a patch runs along the corners of cells, however ragged it is, and all are sound") {
+    std::size_t patches = 0;
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+        INFO("seed " << seed);
+        std::mt19937 random(seed);
+        const GridFrame frame = frame_of(60, 40);
+        const SurfaceGrid before = flat(frame, 10.0F);
+        SurfaceGrid after = before;
+        for (int i = 0; i < 40; ++i) { // pits that run into each other, by necks of a few cells
+            const auto row = static_cast<std::int32_t>(random() % 32);
+            const auto column = static_cast<std::int32_t>(random() % 52);
+            dig(after, row, column, 2 + static_cast<std::int32_t>(random() % 6),
+                2 + static_cast<std::int32_t>(random() % 6), 0.2F);
+        }
+        PatchOptions options;
+        options.least_area = 0.1;
+        options.least_hole = 0.01;
+        options.simplify = 0.04;
+        for (const ChangedPatch& patch : changed_patches(surface_difference(before, after, 0.02), after,
+                                                         no_labels(frame), no_labels(frame), options)) {
+            ++patches;
+            CHECK(geometry::make_sound(patch.shape).repairs.empty());
+            CHECK(geometry::area(patch.shape) ==
+                  Approx(patch.area).epsilon(0.12).margin(0.02)); // small ones lose their corners
+            std::size_t corners = 0;
+            for (const geometry::Rings& rings : patch.shape) {
+                for (const geometry::Line3& ring : rings) {
+                    for (const geometry::Point3& p : ring) {
+                        const auto on_line = [](double v) { return std::abs(v / 0.1 - std::round(v / 0.1)) < 1e-6; };
+                        corners += on_line(p[0]) && on_line(p[1]);
+                    }
+                }
+            }
+            CHECK(corners == 0);
+        }
+    }
+    CHECK(patches > 60);
+}
