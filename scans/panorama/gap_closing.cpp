@@ -16,7 +16,7 @@ constexpr double kLongestSide = 64.0; // [px]; longer ones reach around the pict
 
 class Closing {
   public:
-    Closing(const Projection& projection, const PicturePoints& points, const GapOptions& options)
+    Closing(const Projection& projection, const PicturePoints& points, const ClosingOptions& options)
         : projection_(projection), points_(points), options_(options),
           width_(static_cast<std::size_t>(projection.options().width)),
           height_(static_cast<std::size_t>(projection.options().height)), front_(width_ * height_, kNothing) {
@@ -53,7 +53,7 @@ class Closing {
 
     const Projection& projection_;
     const PicturePoints& points_;
-    const GapOptions& options_;
+    const ClosingOptions& options_;
     std::size_t width_;
     std::size_t height_;
     LargeVector<std::uint32_t> front_; ///< nearest point of each pixel
@@ -204,7 +204,7 @@ void Closing::along_picture() {
 } // namespace
 
 std::vector<ClosedPixel> close_gaps(const Projection& projection, const PicturePoints& points,
-                                    const GapOptions& options) {
+                                    const ClosingOptions& options) {
     Closing closing(projection, points, options);
     closing.along_grid();
     closing.along_picture();

@@ -25,7 +25,7 @@ struct ClosedPixel {
     std::uint32_t point = 0;
 };
 
-struct GapOptions {
+struct ClosingOptions {
     int most_pixels = 3;       ///< that may be closed in a row or column of the picture
     double agreement = 0.03;   ///< so much may the ranges on both sides differ, as a share of the range
     double alike_steps = 0.65; ///< ground going on: smallest to largest of three steps of the inverse range
@@ -35,6 +35,6 @@ struct GapOptions {
 /// range, or across whose rows one plane of ground goes on, however far apart they are in the picture; then gaps in
 /// rows and in columns of the picture. No pixel twice.
 [[nodiscard]] std::vector<ClosedPixel> close_gaps(const Projection& projection, const PicturePoints& points,
-                                                  const GapOptions& options);
+                                                  const ClosingOptions& options);
 
 } // namespace planum::scans

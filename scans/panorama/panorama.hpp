@@ -26,7 +26,7 @@ struct PanoramaOptions {
     ProjectionOptions projection;
     /// Holes that are closed; with most_pixels 0 none. Where the points come with the scanner's grid, what lies between
     /// neighbours in it is closed too.
-    GapOptions gaps;
+    ClosingOptions gaps;
 };
 
 enum class Channel : std::uint8_t { Reflectance, Range, Colour, Normals };
