@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kVersion = "planum surface grid 3\n";
+constexpr std::string_view kVersion = "planum surface grid 4\n";
 
 template<class Value>
 void append(std::string& bytes, const std::vector<Value>& values) {
@@ -36,7 +36,7 @@ void take(std::string_view& bytes, std::vector<Value>& values, std::size_t count
     bytes.remove_prefix(count * sizeof(Value));
 }
 
-constexpr std::size_t kBytesOfCell = 6 * sizeof(float) + sizeof(std::uint16_t) + 1;
+constexpr std::size_t kBytesOfCell = 7 * sizeof(float) + sizeof(std::uint16_t) + 1;
 
 using nlohmann::json;
 
@@ -76,6 +76,7 @@ std::string to_bytes(const KeptSurface& surface) {
     append(bytes, grid.state);
     append(bytes, grid.side_east);
     append(bytes, grid.side_north);
+    append(bytes, grid.ceiling);
     bytes += text_of(surface.disputed);
     return bytes;
 }
@@ -97,6 +98,7 @@ std::optional<KeptSurface> read_cached(const fs::path& file, const scans::GridFr
     take(bytes, grid.state, n);
     take(bytes, grid.side_east, n);
     take(bytes, grid.side_north, n);
+    take(bytes, grid.ceiling, n);
     std::optional<std::vector<scans::DisputedPatch>> disputed = disputed_from(bytes, n);
     if (!disputed) return std::nullopt;
     surface.disputed = std::move(*disputed);

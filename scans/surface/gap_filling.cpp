@@ -17,6 +17,7 @@ namespace {
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr int kSweeps = 60;
 constexpr float kOverRelax = 1.6F;
+constexpr float kOnLine = 0.02F;      // what is no higher above a line of sight is under it [m]
 constexpr double kUprightStep = 0.03; // sides whose ends differ by less are no sides [m]
 
 class Filler {
@@ -37,6 +38,9 @@ class Filler {
         relax();
         lay_fences();
         spread(Fences::Open); // what lies between fences only
+        ceilings_hold_ = false;
+        spread(Fences::Open); // where there is no ground under the lines of sight
+        doubt_shadows();
         return std::move(filled_);
     }
 
@@ -113,6 +117,23 @@ class Filler {
         return grid_.side_north.empty() ? kUnknown : grid_.side_north[cell];
     }
 
+    [[nodiscard]] float ceiling(std::size_t cell) const {
+        return grid_.ceiling.empty() || filled_.was_seen[cell] ? kUnknown : grid_.ceiling[cell];
+    }
+
+    /// Whether ground of that height can be continued into a cell without rising above the lines of sight over it.
+    [[nodiscard]] bool admits(std::size_t cell, float height) const { return !(height > ceiling(cell) + kOnLine); }
+
+    // What lies in a shadow is somewhere between the line of sight over it and the ground it was continued from.
+    void doubt_shadows() {
+        for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
+            const float most = ceiling(cell);
+            if (std::isnan(most) || std::isnan(filled_.height[cell])) continue;
+            filled_.height[cell] = std::min(filled_.height[cell], most + kOnLine);
+            filled_.sigma[cell] = std::max(filled_.sigma[cell], (most - filled_.height[cell]) * options_.shadow_doubt);
+        }
+    }
+
     // Every unknown cell takes the height of the ground that it is reached from first.
     void spread(Fences fences) {
         std::priority_queue<Reached, std::vector<Reached>, std::greater<>> waiting;
@@ -120,6 +141,7 @@ class Filler {
         const auto offer = [&](std::int32_t row, std::int32_t column, const Reached& from) {
             const std::size_t cell = frame_.at(row, column);
             if (!std::isnan(filled_.height[cell]) || (fences == Fences::Closed && fence_[cell])) return;
+            if (ceilings_hold_ && !admits(cell, filled_.height[frame_.at(from.from_row, from.from_column)])) return;
             const double distance = std::hypot(row - from.from_row, column - from.from_column);
             const std::size_t source = frame_.at(from.from_row, from.from_column);
             const double before = static_cast<double>(filled_.distance[source]) / frame_.cell;
@@ -153,7 +175,7 @@ class Filler {
                 float number = 0.0F;
                 for_four(row_of(cell), column_of(cell), [&](std::int32_t r, std::int32_t c) {
                     const float height = filled_.height[frame_.at(r, c)];
-                    if (std::isnan(height)) return;
+                    if (std::isnan(height) || !admits(cell, height)) return;
                     sum += height;
                     number += 1.0F;
                 });
@@ -310,10 +332,16 @@ class Filler {
     std::vector<bool> fence_;
     std::vector<bool> shows_side_; // faces with points between the ground on both sides
     std::vector<std::size_t> gaps_;
+    bool ceilings_hold_ = true;
 };
 
 } // namespace
 
-FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options) { return Filler(grid, options).fill(); }
+FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options) {
+    if (grid.ceiling.empty()) return Filler(grid, options).fill();
+    SurfaceGrid clean = grid;
+    drop_hanging(clean, options.sight);
+    return Filler(clean, options).fill();
+}
 
 } // namespace planum::scans

@@ -3,14 +3,17 @@
 
 #include <vector>
 
+#include "scans/surface/sight_lines.hpp"
 #include "scans/surface/surface_grid.hpp"
 
 namespace planum::scans {
 
 struct GapOptions {
-    double reach = 0.5;     ///< cells farther than this from any ground stay unknown [m]
-    double fence_gap = 0.2; ///< faces no farther apart than this are one side, where no ground is between [m]
-    double doubt = 0.15;    ///< σ of a filled height for each metre from the ground it was taken from
+    double reach = 1.5;        ///< cells farther than this from any ground stay unknown [m]
+    double fence_gap = 0.2;    ///< faces no farther apart than this are one side, where no ground is between [m]
+    double doubt = 0.1;        ///< σ of a filled height for each metre from the ground it was taken from
+    float shadow_doubt = 0.2F; ///< σ in a shadow for each metre between the line of sight and what was filled in
+    SightRules sight;
 };
 
 /// Heights of a surface with its gaps closed.
@@ -22,10 +25,11 @@ struct FilledHeights {
     std::vector<bool> was_seen;  ///< Surface or Disputed
 };
 
-/// Closes gaps in the ground by a membrane that upright sides cut: what lies in the shadow of a trench wall is
-/// continued from the floor, not from the field above it. A cell that a side runs through is divided between the ground
-/// on both sides of it by the line on which points of the side lie along it; where none shows the line,
-/// halfway. Where a side is several cells wide, its cells lie where their points do.
+/// Closes gaps in the ground, once what hangs in them is left out (drop_hanging()), by a membrane that upright sides
+/// cut: what lies in the shadow of a trench wall is continued from the floor, not from the field above it. A cell that
+/// a side runs through is divided between the ground on both sides of it by the line on which points of the side lie
+/// along it; where none shows the line, halfway. Under a line of sight over a shadow (SurfaceGrid::ceiling) only ground
+/// that is no higher is continued. Where a side is several cells wide, its cells lie where their points do.
 [[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {});
 
 } // namespace planum::scans

@@ -233,11 +233,9 @@ class Judge {
 
 } // namespace
 
-PassingReport remove_passing(LayerField& field, const PassingRules& rules) {
-    std::vector<bool> marked(field.layers());
-    const PassingReport report = Judge(field, rules).mark(marked);
-    field.remove(marked);
-    return report;
+PassingReport mark_passing(const LayerField& field, const PassingRules& rules, std::vector<bool>& marked) {
+    marked.assign(field.layers(), false);
+    return Judge(field, rules).mark(marked);
 }
 
 } // namespace planum::scans

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "scans/surface/layer_field.hpp"
 
@@ -21,10 +22,10 @@ struct PassingReport {
     double area = 0.0;      ///< covered by them [m²]
 };
 
-/// Takes out of the field what is no ground: specks (mixed pixels, strays), and what stood or passed there during some
+/// Marks in the field what is no ground: specks (mixed pixels, strays), and what stood or passed there during some
 /// scans only: layers that hang together, are no larger than `largest`, end free above the ground, and beneath most of
 /// which another scan sees lower ground. Sides of pits and walls reach up to ground and stay; so do things on ground
-/// that no scan sees, unless they are small and rise high.
-PassingReport remove_passing(LayerField& field, const PassingRules& rules);
+/// that no scan sees, unless they are small and rise high. `marked` gets a value for each layer, by its number.
+PassingReport mark_passing(const LayerField& field, const PassingRules& rules, std::vector<bool>& marked);
 
 } // namespace planum::scans

@@ -37,6 +37,17 @@ const HeightLayer& main_layer(std::span<const HeightLayer> layers) {
                              [](const HeightLayer& a, const HeightLayer& b) { return a.count < b.count; });
 }
 
+std::vector<RemovedLayer> removed_layers(const LayerField& field, const std::vector<bool>& marked) {
+    std::vector<RemovedLayer> removed;
+    for (std::size_t cell = 0; cell < field.frame.cells(); ++cell) {
+        const std::span<const HeightLayer> layers = field.at(cell);
+        for (std::size_t k = 0; k < layers.size(); ++k) {
+            if (marked[field.first(cell) + k]) removed.push_back({cell, layers[k]});
+        }
+    }
+    return removed;
+}
+
 class Composer {
   public:
     Composer(const LayerField& field, std::span<const SurfaceScan> scans, const SurfaceOptions& options,
@@ -138,9 +149,20 @@ BuiltSurface build_surface(std::span<const SurfaceScan> scans, const GridFrame& 
     LayerField field = collect_layers(scans, frame, rules, options.memory_bytes, options.threads, progress);
     built.points = field.points;
     progress.step("making the surface");
-    if (options.remove_passing) built.passing = remove_passing(field, options.passing);
+    std::vector<RemovedLayer> removed;
+    if (options.remove_passing) {
+        std::vector<bool> passing;
+        built.passing = mark_passing(field, options.passing, passing);
+        removed = removed_layers(field, passing);
+        field.remove(passing);
+    }
     Composer(field, scans, options, rules, built).compose(progress);
     built.disputed = settle_disputes(field, scans, options, built.grid);
+    built.grid.ceiling.assign(frame.cells(), kUnknown);
+    if (options.remove_passing) {
+        built.grid.ceiling =
+            lines_of_sight(field, removed, built.grid, scans, options.sight, options.threads, progress);
+    }
     return built;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/progress.hpp"
 #include "scans/surface/passing_things.hpp"
 #include "scans/surface/point_source.hpp"
+#include "scans/surface/sight_lines.hpp"
 #include "scans/surface/surface_grid.hpp"
 
 namespace planum::scans {
@@ -18,8 +19,9 @@ struct SurfaceOptions {
     double tolerance = 0.02;     ///< the project's own, a 95 % bound [m]; scans may differ by so much
     double disputed_area = 0.1;  ///< scans that disagree over less are averaged [m²]
     double steepest = 1.7320508; ///< tangent of 60°: steeper is a side
-    bool remove_passing = true;  ///< people, vehicles, strays; see remove_passing()
+    bool remove_passing = true;  ///< people, vehicles, strays; see mark_passing()
     PassingRules passing;
+    SightRules sight;
     std::uint64_t memory_bytes = 512ULL << 20U; ///< for points
     int threads = 2;
 };

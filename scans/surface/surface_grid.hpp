@@ -60,6 +60,9 @@ struct SurfaceGrid {
     /// nobody knows. May be empty: nobody knows anywhere.
     std::vector<float> side_east = {};
     std::vector<float> side_north = {};
+    /// How high ground can reach that nobody saw (see lines_of_sight()) [m]; not a number where no shadow says so.
+    /// May be empty: none does.
+    std::vector<float> ceiling = {};
 };
 
 } // namespace planum::scans
