@@ -55,6 +55,7 @@ void run_stats(const Context& context, const MatrixOptions& options) {
 paint::PdfOptions pdf_options(const app::Project& project, const MatrixOptions& options, const std::string& site) {
     paint::PdfOptions pdf;
     pdf.site = site;
+    pdf.words = strat::words_in(options.draw.language);
     pdf.date = project.clock().now().substr(0, 10);
     const std::vector<std::pair<std::string, paint::Paper>> papers = {
         {"fit", paint::Paper::Fitted}, {"a4", paint::Paper::A4}, {"a3", paint::Paper::A3},

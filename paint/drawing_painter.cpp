@@ -40,8 +40,9 @@ QPen pen_of(const StrokeStyle& stroke) {
     pen.setJoinStyle(Qt::MiterJoin);
     pen.setCapStyle(Qt::FlatCap);
     if (stroke.dash != Dash::Solid) {
-        const DashPattern pattern = pattern_of(stroke.dash);
-        pen.setDashPattern({pattern.on / stroke.width, pattern.off / stroke.width}); // Qt counts in pen widths
+        QList<qreal> pattern; // Qt counts in pen widths
+        for (const double length : pattern_of(stroke.dash)) pattern.push_back(length / stroke.width);
+        pen.setDashPattern(pattern);
     }
     return pen;
 }

@@ -35,7 +35,8 @@ class PdfMaker {
   public:
     PdfMaker(const MatrixDrawing& drawing, const PdfOptions& options, Progress& progress)
         : drawing_(drawing), options_(options), progress_(progress), plan_(plan_poster(drawing, options.poster)) {
-        poster_ = options.poster.paging == Paging::Poster && options.poster.paper != Paper::Fitted;
+        poster_ = options.poster.paging == Paging::Poster && options.poster.paper != Paper::Fitted &&
+                  plan_.sheets.size() > 1; // what fits on one needs no map of its sheets
         index_ = poster_ ? sheet_index(drawing, plan_) : std::vector<SheetEntry>{};
         plan_index();
         if (poster_) legend_ = lay_legend(drawing, plan_.page_width - 2.0 * options.poster.margin);
@@ -115,7 +116,7 @@ class PdfMaker {
         paint_drawing(painter, poster_ ? part_of(sheet.part) : drawing_);
         painter.restore();
         if (poster_) paint_edges(painter, sheet);
-        paint_title_block(painter, poster_ ? "sheet " + sheet.name : std::string{});
+        paint_title_block(painter, poster_ ? with_word(options_.words.sheet, sheet.name) : std::string{});
     }
 
     // Only what the sheet shows, or a poster of a hundred sheets would hold the drawing a hundred times.
@@ -190,9 +191,10 @@ class PdfMaker {
         if (!drawing_.title.empty() && drawing_.title != options_.site)
             left += (left.empty() ? "" : " · ") + drawing_.title;
         std::string facts = options_.date;
-        facts += fmt::format("{}scale {:.0f} %", facts.empty() ? "" : " · ", plan_.scale * 100.0);
+        if (!facts.empty()) facts += " · ";
+        facts += with_word(options_.words.scale, fmt::format("{:.0f}", plan_.scale * 100.0));
         if (!right.empty()) facts += " · " + right;
-        facts += fmt::format(" · page {} of {}", page_, pages_);
+        facts += " · " + with_number(with_number(options_.words.page, page_), pages_);
         paint_text(painter, {facts, {x1, y - 6.0}, 8.0, 0.0, TextAnchor::End, FontWeight::Regular, kFaintInk});
         const double room = x1 - x0 - measure_.width(facts, 8.0, FontWeight::Regular) - 14.0;
         left = shortened(text::on_one_line(left).text, room, {9.0, FontWeight::Bold}, measure_);
@@ -202,7 +204,7 @@ class PdfMaker {
     // The whole drawing small and pale, with the sheets' cutting lines and names; below it the index where it is short.
     void paint_map(QPainter& painter) {
         const DrawRect& c = plan_.content;
-        paint_heading(painter, "Sheets", c.y);
+        paint_heading(painter, options_.words.sheets, c.y);
         const double room = c.height - kHeading - (index_is_beside_map() ? index_height() : 0.0);
         const double scale = std::min({c.width / drawing_.width, room / drawing_.height, 1.0});
         painter.save();
@@ -224,7 +226,7 @@ class PdfMaker {
             paint_tile(painter, tile, sheet.name);
         }
         if (index_is_beside_map()) paint_entries(painter, 0, index_.size(), c.bottom() - index_height() + kIndexGap);
-        paint_title_block(painter, index_is_beside_map() ? "map of the sheets, index" : "map of the sheets");
+        paint_title_block(painter, options_.words.map + (index_is_beside_map() ? ", " + options_.words.index : ""));
     }
 
     // The name on a plate of its own, or what stands below it would run into it.
@@ -281,13 +283,13 @@ class PdfMaker {
         for (std::size_t page = 0; page < pages; ++page) {
             next_page(writer);
             paint_entries(painter, index_.size() * page / pages, index_.size() * (page + 1) / pages, plan_.content.y);
-            paint_title_block(painter, "index");
+            paint_title_block(painter, options_.words.index);
         }
     }
 
     // In columns of one height, downwards.
     void paint_entries(QPainter& painter, std::size_t first, std::size_t end, double top) {
-        paint_heading(painter, "Unit and sheet", top);
+        paint_heading(painter, options_.words.unit_and_sheet, top);
         const std::size_t rows = (end - first + index_columns() - 1) / index_columns();
         for (std::size_t i = first; i < end; ++i) {
             const double x = plan_.content.x + static_cast<double>((i - first) / rows) * column_width_;

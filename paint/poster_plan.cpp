@@ -153,6 +153,11 @@ PosterPlan plan_poster(const strat::MatrixDrawing& drawing, const PosterOptions&
     PosterPlan a = plan_tiles(drawing, options, upright);
     PosterPlan b = plan_tiles(drawing, options, across);
     PosterPlan plan = b.sheets.size() < a.sheets.size() ? std::move(b) : std::move(a);
+    if (plan.sheets.size() == 1) { // shows the drawing's own key
+        plan.title_block = kTitleBlock;
+        plan.content = content_of({plan.page_width, plan.page_height}, options.margin, plan.title_block);
+        plan.sheets.front().part = {0.0, 0.0, plan.content.width / plan.scale, plan.content.height / plan.scale};
+    }
     std::erase_if(plan.sheets, [&](const Sheet& sheet) { return !shows_something(drawing, sheet.part); });
     return plan;
 }

@@ -84,7 +84,7 @@ void keep_problems(const DailyCheck& check, strat::DrawingOptions& options) {
     if (units.empty()) throw Error(ErrorCode::NotFound, "no problem to draw: no error or warning names a relation");
     options.only.assign(units.begin(), units.end());
     for (const model::UnitId unit : units) options.marks.push_back({unit, strat::Mark::Problem});
-    options.subtitle = "problems";
+    options.subtitle = options.words.problems;
 }
 
 struct LoggedSince {
@@ -156,7 +156,7 @@ void keep_changed(Project& project, const DrawRequest& request, model::Record& d
         throw Error(ErrorCode::NotFound, "nothing was added, removed or changed since " + request.since);
     }
     keep_differences(std::move(comparison), drawn, options);
-    options.subtitle = "changed since " + request.since;
+    options.subtitle = strat::with_word(options.words.changed_since, request.since);
 }
 
 void keep_compared(Project& project, const DrawRequest& request, model::Record& drawn, strat::DrawingOptions& options) {
@@ -167,11 +167,18 @@ void keep_compared(Project& project, const DrawRequest& request, model::Record& 
     const bool is_record = !is_reading && (request.compared_with == "record" || request.compared_with == "field");
     const std::string before_name = is_record ? std::string() : request.compared_with;
     Comparison comparison = compare_readings(interpreted(project.record(), before_name), drawn);
-    const std::string now = request.interpretation.empty() ? "the field record" : request.interpretation;
-    const std::string before = before_name.empty() ? "the field record" : before_name;
-    if (comparison.units.empty()) throw Error(ErrorCode::NotFound, now + " does not differ from " + before);
+    const auto name_in = [&](const strat::DrawingWords& words, const std::string& name) {
+        return name.empty() ? words.record : name;
+    };
+    if (comparison.units.empty()) {
+        const strat::DrawingWords english;
+        throw Error(ErrorCode::NotFound, name_in(english, request.interpretation) + " does not differ from " +
+                                             name_in(english, before_name));
+    }
     keep_differences(std::move(comparison), drawn, options);
-    options.subtitle = now + ", compared with " + before;
+    options.subtitle =
+        strat::with_word(strat::with_word(options.words.compared, name_in(options.words, request.interpretation)),
+                         name_in(options.words, before_name));
 }
 
 } // namespace
@@ -197,9 +204,10 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     }
     if (!request.around.empty()) options.around = project.record().units[project.unit_named(request.around)].id;
     if (request.titles) options.labels = strat::Labels::NumbersAndTitles;
-    if (!request.area.empty()) options.subtitle = "area " + request.area;
+    if (!request.area.empty()) options.subtitle = strat::with_word(options.words.area, request.area);
     if (!request.around.empty()) {
-        options.subtitle += (options.subtitle.empty() ? "" : ", ") + ("around unit " + request.around);
+        options.subtitle +=
+            (options.subtitle.empty() ? "" : ", ") + strat::with_word(options.words.around, request.around);
     }
     options.only = request.only;
     if (!request.only.empty()) options.subtitle = request.only_what;

@@ -51,7 +51,7 @@ class BandChooser {
         std::size_t with = 0;
         std::unordered_set<std::int32_t> used;
         for (const GraphBox& b : graph_.boxes) {
-            const std::int32_t key = keys[b.units.front()];
+            const std::int32_t key = shared_key(keys, b.units);
             if (key < 0) continue;
             ++with;
             used.insert(key);
@@ -111,7 +111,7 @@ class BandChooser {
         std::vector<BandKey> used;
         std::unordered_set<std::int32_t> seen;
         for (const GraphBox& b : graph_.boxes) {
-            const std::int32_t key = keys[b.units.front()];
+            const std::int32_t key = shared_key(keys, b.units);
             if (key < 0 || !seen.insert(key).second) continue;
             used.push_back(bands == Bands::Phases ? key_of_phase(key) : key_of_period(key));
         }
@@ -128,7 +128,7 @@ class BandChooser {
             graph_.bands.push_back({xml_id("band-", key.number), heading_with(key.number, title), 0.0});
         }
         for (GraphBox& b : graph_.boxes) {
-            const auto band = band_of.find(keys[b.units.front()]);
+            const auto band = band_of.find(shared_key(keys, b.units));
             if (band != band_of.end()) b.band = band->second;
         }
     }
@@ -139,6 +139,16 @@ class BandChooser {
 };
 
 } // namespace
+
+std::int32_t shared_key(const std::vector<std::int32_t>& keys, const std::vector<UnitIndex>& units) {
+    std::int32_t shared = -1;
+    for (const UnitIndex unit : units) {
+        if (keys[unit] < 0) continue;
+        if (shared >= 0 && keys[unit] != shared) return -1;
+        shared = keys[unit];
+    }
+    return shared;
+}
 
 void choose_bands(const model::Record& record, const DrawingOptions& options, DrawnGraph& graph) {
     BandChooser(record, options, graph).choose();

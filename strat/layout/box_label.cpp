@@ -51,12 +51,13 @@ std::vector<std::string> broken_title(const std::string& title, const TextMeasur
     return wrapped(title, style::kBoxMaxLabel, kMaxLines, {style::kTextSize, FontWeight::Regular}, measure);
 }
 
-std::vector<std::string> joined_names(const std::vector<std::string>& names, const TextMeasure& measure) {
+std::vector<std::string> joined_names(const std::vector<std::string>& names, const std::vector<bool>& doubtful,
+                                      const TextMeasure& measure) {
     constexpr TextLook kLook{style::kTextSize, FontWeight::Regular};
     const auto width = [&](const std::string& words) { return measure.width(words, kLook.size, kLook.weight); };
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string next = (i == 0 ? "" : "= ") + names[i];
+        const std::string next = (i == 0 ? "" : doubtful[i] ? "=? " : "= ") + names[i];
         if (i > 0 && width(lines.back() + " " + next) <= style::kBoxMaxLabel) {
             lines.back() += " " + next;
             continue;

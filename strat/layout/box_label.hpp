@@ -19,8 +19,10 @@ namespace planum::strat {
 /// At most three lines; what does not fit ends in an ellipsis.
 [[nodiscard]] std::vector<std::string> broken_title(const std::string& title, const TextMeasure& measure);
 
-/// `12 = 15 = 20`, broken where a line grows too wide. `names` has one at least.
-[[nodiscard]] std::vector<std::string> joined_names(const std::vector<std::string>& names, const TextMeasure& measure);
+/// `12 = 15 = 20`, broken where a line grows too wide; `=?` before those that are `doubtful`. `names` has one at least,
+/// and both as many.
+[[nodiscard]] std::vector<std::string> joined_names(const std::vector<std::string>& names,
+                                                    const std::vector<bool>& doubtful, const TextMeasure& measure);
 
 /// Sets the widths of the lines and the size of the box around them.
 void size_box(DrawnBox& box, const TextMeasure& measure);

@@ -2,6 +2,7 @@
 #include "strat/layout/drawing_colours.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <vector>
@@ -73,7 +74,7 @@ Colour colour_of(Mark mark) noexcept {
 // Added, removed and changed must differ without colour, too.
 Dash dash_of(Mark mark) noexcept {
     switch (mark) {
-    case Mark::Removed: return Dash::Dotted;
+    case Mark::Removed: return Dash::DashDotted;
     case Mark::Changed: return Dash::LongDashed;
     case Mark::None:
     case Mark::Added:
@@ -84,12 +85,17 @@ Dash dash_of(Mark mark) noexcept {
 
 } // namespace
 
-DashPattern pattern_of(Dash dash) noexcept {
+std::span<const double> pattern_of(Dash dash) noexcept {
+    static constexpr std::array kDashed = {4.0, 2.5};
+    static constexpr std::array kDotted = {1.0, 2.0};
+    static constexpr std::array kLongDashed = {9.0, 2.0};
+    static constexpr std::array kDashDotted = {6.0, 2.5, 1.0, 2.5};
     switch (dash) {
     case Dash::Solid: return {};
-    case Dash::Dashed: return {4.0, 2.5};
-    case Dash::Dotted: return {1.0, 2.0};
-    case Dash::LongDashed: return {9.0, 2.0};
+    case Dash::Dashed: return kDashed;
+    case Dash::Dotted: return kDotted;
+    case Dash::LongDashed: return kLongDashed;
+    case Dash::DashDotted: return kDashDotted;
     }
     return {};
 }
@@ -131,10 +137,11 @@ StrokeStyle style_of(const DrawnLine& line) noexcept {
     }
     if (line.in_cycle || (line.upwards && line.mark == Mark::None)) {
         style.colour = line.in_cycle ? kAlarm : kAgainst;
-        style.width = 1.1;
+        style.width = line.mark == Mark::None ? 1.1 : 2.2; // wide: what brought the cycle, or changed in it
     }
     if (line.uncertain) style.dash = Dash::Dashed;
-    if (line.through || line.mark == Mark::Removed) style.dash = Dash::Dotted;
+    if (line.through) style.dash = Dash::Dotted;
+    if (line.mark == Mark::Removed) style.dash = dash_of(line.mark);
     return style;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "strat/layout/drawing.hpp"
@@ -11,7 +12,7 @@ namespace planum::strat {
 /// A colour as 0xRRGGBB; opaque.
 using Colour = std::uint32_t;
 
-enum class Dash { Solid, Dashed, Dotted, LongDashed };
+enum class Dash { Solid, Dashed, Dotted, LongDashed, DashDotted };
 
 struct StrokeStyle {
     Colour colour = 0x3b3a36;
@@ -35,13 +36,8 @@ inline constexpr Colour kAlarm = 0xc1121f;   ///< cycles
 inline constexpr Colour kAgainst = 0xa35a00; ///< orders against the phases
 inline constexpr Colour kPaper = 0xffffff;
 
-/// Length of dashes and gaps [pt].
-struct DashPattern {
-    double on = 0.0;
-    double off = 0.0;
-};
-
-[[nodiscard]] DashPattern pattern_of(Dash dash) noexcept;
+/// Length of dashes and gaps in turn [pt]; empty: solid.
+[[nodiscard]] std::span<const double> pattern_of(Dash dash) noexcept;
 
 /// How a line is painted of which the evidence says so: it tells apart by width and dashes what it does by colour.
 /// None is painted as not testable.

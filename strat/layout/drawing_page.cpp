@@ -263,8 +263,14 @@ class PageMaker {
         for (const Mark mark : {Mark::Added, Mark::Removed, Mark::Changed}) {
             sample.line = {};
             sample.line.mark = mark;
-            if (any([&](const DrawnLine& l) { return l.mark == mark; }))
+            if (any([&](const DrawnLine& l) { return l.mark == mark && !l.in_cycle; }))
                 legend_entry(sample, graph_.words.marked_orders.at(static_cast<std::size_t>(mark)), pen);
+            sample.line.in_cycle = true;
+            if (any([&](const DrawnLine& l) { return l.mark == mark && l.in_cycle; })) {
+                legend_entry(
+                    sample,
+                    graph_.words.marked_orders.at(static_cast<std::size_t>(mark)) + ", " + graph_.words.in_cycle, pen);
+            }
         }
     }
 

@@ -21,15 +21,36 @@ DrawingWords german_words() {
     words.one_unit = "1 Einheit";
     words.units = "{} Einheiten";
     words.some_units = "{} von {} Einheiten";
+    words.area = "Fläche {}";
+    words.around = "um Einheit {}";
+    words.problems = "Probleme";
+    words.changed_since = "geändert seit {}";
+    words.compared = "{}, verglichen mit {}";
+    words.record = "der Grabungsbefund";
+    words.description = "Harris-Matrix: {} in {}, {}; spätere Einheiten stehen über früheren.";
+    words.one_box = "1 Kasten";
+    words.boxes = "{} Kästen";
+    words.one_order = "1 unmittelbare Abfolge";
+    words.orders = "{} unmittelbare Abfolgen";
+    words.cycles = "{} der Abfolgen liegen in Kreisen.";
+    words.scale = "Maßstab {} %";
+    words.sheet = "Blatt {}";
+    words.page = "Seite {} von {}";
+    words.sheets = "Blätter";
+    words.map = "Blattübersicht";
+    words.index = "Verzeichnis";
+    words.unit_and_sheet = "Einheit und Blatt";
     return words;
 }
 
 DrawingWords words_in(std::string_view language) { return language == "de" ? german_words() : DrawingWords{}; }
 
-std::string with_number(std::string_view word, std::size_t number) {
+std::string with_number(std::string_view word, std::size_t number) { return with_word(word, std::to_string(number)); }
+
+std::string with_word(std::string_view word, std::string_view inside) {
     std::string filled(word);
     const std::size_t at = filled.find("{}");
-    if (at != std::string::npos) filled.replace(at, 2, std::to_string(number));
+    if (at != std::string::npos) filled.replace(at, 2, inside);
     return filled;
 }
 

@@ -30,6 +30,31 @@ struct DrawingWords {
     std::string one_unit = "1 unit";              ///< in a folded box
     std::string units = "{} units";
     std::string some_units = "{} of {} units"; ///< where the drawing leaves out the others
+
+    // What is drawn, below the heading.
+    std::string area = "area {}";
+    std::string around = "around unit {}";
+    std::string problems = "problems";
+    std::string changed_since = "changed since {}"; ///< a day, YYYY-MM-DD
+    std::string compared = "{}, compared with {}";  ///< two interpretations
+    std::string record = "the field record";
+
+    // The description for screen readers: units, boxes and orders with their numbers, then orders in cycles.
+    std::string description = "Harris matrix of {} in {} with {}; later units stand above earlier ones.";
+    std::string one_box = "1 box";
+    std::string boxes = "{} boxes";
+    std::string one_order = "1 immediate order";
+    std::string orders = "{} immediate orders";
+    std::string cycles = "{} of the orders stand in cycles.";
+
+    // On paper.
+    std::string scale = "scale {} %";
+    std::string sheet = "sheet {}"; ///< of a poster: `B3`
+    std::string page = "page {} of {}";
+    std::string sheets = "Sheets";
+    std::string map = "map of the sheets";
+    std::string index = "index";
+    std::string unit_and_sheet = "Unit and sheet";
 };
 
 [[nodiscard]] DrawingWords german_words();
@@ -37,7 +62,8 @@ struct DrawingWords {
 /// Words of a language by its code (`en`, `de`); those of others are English.
 [[nodiscard]] DrawingWords words_in(std::string_view language);
 
-/// A word with the number in the place of its first `{}`.
+/// A word with a number, or another word, in the place of its first `{}`.
 [[nodiscard]] std::string with_number(std::string_view word, std::size_t number);
+[[nodiscard]] std::string with_word(std::string_view word, std::string_view inside);
 
 } // namespace planum::strat

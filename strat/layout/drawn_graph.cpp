@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -60,6 +61,10 @@ class GraphMaker {
                 return text::natural_order(index_.name(u), index_.name(v)) < 0;
             });
         }
+        for (const model::PhysicalRelation& r : record_.relations) {
+            if (r.kind != model::RelationKind::SameAs || r.certainty != model::Certainty::Certain) continue;
+            certainly_same_.emplace_back(index_.find(r.subject), index_.find(r.object));
+        }
         for (const model::Find& find : record_.finds) with_finds_.insert(find.unit);
         for (const UnitMark& mark : request_.options.marks) unit_marks_.emplace(mark.unit, mark.mark);
     }
@@ -92,8 +97,10 @@ class GraphMaker {
             fold_box(out, selection_.folded[b]);
         } else {
             box.id = box.unit_ids.front();
-            box.lines = joined_names(names, request_.text);
-            box.title = text::join(names, " = ");
+            const std::vector<bool> doubtful = doubtfully_joined(out.units);
+            box.lines = joined_names(names, doubtful, request_.text);
+            for (std::size_t i = 0; i < names.size(); ++i)
+                box.title += (i == 0 ? "" : doubtful[i] ? " =? " : " = ") + names[i];
             if (!first_title.empty()) box.title += ": " + first_title;
             if (request_.options.labels == Labels::NumbersAndTitles && !first_title.empty()) {
                 for (std::string& line : broken_title(first_title, request_.text)) box.lines.push_back(std::move(line));
@@ -139,6 +146,24 @@ class GraphMaker {
         }
         box.lines.push_back(counted(request_.options.words, count, all));
         box.title = fmt::format("{} {}: {}", number, title, counted({}, count, all));
+    }
+
+    // Which of the units of a box no certain statement makes the same as one before it.
+    [[nodiscard]] std::vector<bool> doubtfully_joined(const std::vector<UnitIndex>& units) const {
+        std::vector<bool> doubtful(units.size(), false);
+        if (units.size() < 2) return doubtful;
+        std::vector<std::size_t> first(units.size()); // of those that certain statements join
+        std::iota(first.begin(), first.end(), std::size_t{0});
+        for (const auto& [subject, object] : certainly_same_) {
+            const auto a = std::find(units.begin(), units.end(), subject);
+            const auto b = std::find(units.begin(), units.end(), object);
+            if (a == units.end() || b == units.end()) continue;
+            const auto [low, high] = std::minmax(first[static_cast<std::size_t>(a - units.begin())],
+                                                 first[static_cast<std::size_t>(b - units.begin())]);
+            std::replace(first.begin(), first.end(), std::size_t{high}, std::size_t{low});
+        }
+        for (std::size_t i = 1; i < units.size(); ++i) doubtful[i] = first[i] == i;
+        return doubtful;
     }
 
     // Of a part of the matrix the units may be a part, too.
@@ -290,7 +315,7 @@ class GraphMaker {
         const std::vector<std::int32_t> keys = fold_keys(record_, Fold::Groups);
         std::map<std::int32_t, std::int32_t> used;
         for (GraphBox& b : graph_.boxes) {
-            const std::int32_t key = keys[b.units.front()];
+            const std::int32_t key = shared_key(keys, b.units);
             if (key < 0) continue;
             const auto [it, fresh] = used.emplace(key, static_cast<std::int32_t>(graph_.groups.size()));
             if (fresh) {
@@ -325,13 +350,18 @@ class GraphMaker {
         graph_.subtitle = one_line(options.subtitle);
         std::size_t units = 0;
         for (const GraphBox& b : graph_.boxes) units += b.units.size();
-        graph_.description = fmt::format(
-            "Harris matrix of {} {} in {} {} with {} immediate {}; later units stand above earlier ones.", units,
-            units == 1 ? "unit" : "units", graph_.boxes.size(), graph_.boxes.size() == 1 ? "box" : "boxes",
-            graph_.orders.size(), graph_.orders.size() == 1 ? "order" : "orders");
+        const DrawingWords& words = options.words;
+        const auto number_of = [](std::size_t count, const std::string& one, const std::string& many) {
+            return count == 1 ? one : with_number(many, count);
+        };
+        graph_.description = words.description;
+        for (const std::string& counted :
+             {number_of(units, words.one_unit, words.units), number_of(graph_.boxes.size(), words.one_box, words.boxes),
+              number_of(graph_.orders.size(), words.one_order, words.orders)})
+            graph_.description = with_word(graph_.description, counted);
         const auto in_cycles = std::count_if(graph_.orders.begin(), graph_.orders.end(),
                                              [](const GraphOrder& o) { return o.line.in_cycle; });
-        if (in_cycles > 0) graph_.description += fmt::format(" {} of the orders stand in cycles.", in_cycles);
+        if (in_cycles > 0) graph_.description += " " + with_number(words.cycles, static_cast<std::size_t>(in_cycles));
     }
 
     const LayoutRequest& request_;
@@ -340,6 +370,7 @@ class GraphMaker {
     Selection selection_;
     std::vector<std::int32_t> fold_keys_;
     std::vector<std::vector<UnitIndex>> units_;
+    std::vector<std::pair<UnitIndex, UnitIndex>> certainly_same_;
     std::unordered_set<model::UnitId> with_finds_;
     std::unordered_map<model::UnitId, Mark> unit_marks_;
     DrawnGraph graph_;

@@ -38,8 +38,9 @@ std::string hex(Colour colour) { return fmt::format("#{:06x}", colour); }
 std::string stroke_attributes(const StrokeStyle& stroke) {
     std::string s = fmt::format("stroke=\"{}\" stroke-width=\"{}\"", hex(stroke.colour), number(stroke.width));
     if (stroke.dash != Dash::Solid) {
-        const DashPattern pattern = pattern_of(stroke.dash);
-        s += fmt::format(" stroke-dasharray=\"{},{}\"", number(pattern.on), number(pattern.off));
+        std::string pattern;
+        for (const double length : pattern_of(stroke.dash)) pattern += (pattern.empty() ? "" : ",") + number(length);
+        s += fmt::format(" stroke-dasharray=\"{}\"", pattern);
     }
     return s;
 }
@@ -204,7 +205,8 @@ class SvgWriter {
             const std::string rest = box.names[left.name].substr(left.from);
             const std::size_t found = line.find(rest, at);
             // A name begins a line of its own if it goes on in the next, behind the sign of equality.
-            const std::size_t begin = found != std::string::npos ? found : at == 0 && line.starts_with("= ") ? 2 : at;
+            const std::size_t sign = line.starts_with("= ") ? 2 : line.starts_with("=? ") ? 3 : 0;
+            const std::size_t begin = found != std::string::npos ? found : at == 0 ? sign : at;
             const std::string part = found != std::string::npos ? rest : line.substr(begin);
             if (part.empty() || !rest.starts_with(part)) break;
             marked += xml_escaped(line.substr(at, begin - at)) + marked_name(box, left, part);

@@ -66,9 +66,10 @@ QPen pen_of(const StrokeStyle& stroke, double scale, double stronger) {
     pen.setJoinStyle(Qt::MiterJoin);
     pen.setCapStyle(Qt::FlatCap);
     if (stroke.dash != Dash::Solid && width * scale >= 0.4) {
-        const DashPattern pattern = pattern_of(stroke.dash);
+        QList<qreal> pattern; // Qt counts in pen widths
+        for (const double length : pattern_of(stroke.dash)) pattern.push_back(length / width);
         pen.setWidthF(width);
-        pen.setDashPattern({pattern.on / width, pattern.off / width});
+        pen.setDashPattern(pattern);
     }
     return pen;
 }

@@ -17,6 +17,7 @@
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/language.hpp"
 #include "paint/drawing_pdf.hpp"
 #include "paint/drawing_png.hpp"
 #include "paint/font_measure.hpp"
@@ -53,9 +54,12 @@ QString export_file(app::Project& project, const std::filesystem::path& file, Pr
         return wrote(file);
     }
     if (ending == ".svg" || ending == ".pdf" || ending == ".png") {
+        app::DrawRequest whole;
+        whole.language = chosen_language().toStdString();
         const strat::MatrixDrawing drawing =
-            shown != nullptr ? *shown : app::draw_matrix(project, {}, measure, progress);
+            shown != nullptr ? *shown : app::draw_matrix(project, whole, measure, progress);
         paint::PdfOptions pdf;
+        pdf.words = strat::words_in(whole.language);
         pdf.site = project.record().settings.name;
         pdf.date = project.clock().now().substr(0, 10);
         write_file_atomically(file, ending == ".svg"   ? strat::write_svg(drawing)

@@ -135,6 +135,17 @@ TEST_CASE("PDF embeds its font, has a page for each sheet, the map and the index
     CHECK(pdf == render_pdf(drawing, options, Progress::none()));
 }
 
+TEST_CASE("A poster that fits on one sheet is that sheet, with the drawing's own key") {
+    const MatrixDrawing drawing = boxes_in_rows(2, 2);
+    PdfOptions options;
+    options.poster.paper = Paper::A4;
+    options.poster.paging = Paging::Poster;
+    const PosterPlan plan = plan_poster(drawing, options.poster);
+    CHECK(plan.title_block == kTitleBlock);
+    CHECK(plan.sheets.front().part.width >= drawing.width);
+    CHECK(count(render_pdf(drawing, options, Progress::none()), "/Type /Page\n") == 1);
+}
+
 TEST_CASE("A short index stands on the page of the map") {
     const MatrixDrawing drawing = boxes_in_rows(12, 5);
     PdfOptions options;

@@ -41,6 +41,30 @@ TEST_CASE("Units merged by same_as share a box") {
     CHECK(graph.boxes[1].box.lines == std::vector<std::string>{"2 = 7"});
 }
 
+TEST_CASE("A name that only uncertain statements put into a box has a question mark") {
+    using model::Certainty;
+    using model::RelationKind;
+    auto builder = a_matrix().above("1", "2").relate("2", RelationKind::SameAs, "7", Certainty::Uncertain);
+    builder.relate("2", RelationKind::SameAs, "3").relate("7", RelationKind::SameAs, "8");
+    const DrawnBox box = graph_of(builder.record()).boxes[1].box;
+    CHECK(box.lines == std::vector<std::string>{"2 = 3 =? 7 = 8"});
+    CHECK(box.title == "2 = 3 =? 7 = 8");
+    builder.relate("3", RelationKind::SameAs, "8");
+    CHECK(graph_of(builder.record()).boxes[1].box.title == "2 = 3 = 7 = 8");
+}
+
+TEST_CASE("A box whose units are of different phases or groups stands in none") {
+    auto builder = a_matrix().above("1", "2").relate("2", model::RelationKind::SameAs, "3").above("3", "4");
+    builder.phase("1", "b", 2).phase("3", "b", 2).phase("4", "a", 1);
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    CHECK(graph_of(builder.record(), options).boxes[1].band == 0); // 2 has no phase of its own
+    builder.phase("2", "a", 1);
+    const DrawnGraph graph = graph_of(builder.record(), options);
+    CHECK(graph.boxes[1].band == kNoBand);
+    CHECK(graph.bands.size() == 2);
+}
+
 TEST_CASE("A box of several names them in natural order, and its lines say what was recorded of which") {
     auto builder = a_matrix().relate("5", model::RelationKind::Covers, "6").relate("4", model::RelationKind::Cuts, "6");
     builder.relate("4", model::RelationKind::SameAs, "5").relate("5", model::RelationKind::SameAs, "10");

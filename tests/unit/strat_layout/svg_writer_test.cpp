@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "strat/layout/drawing_colours.hpp"
 #include "strat/layout/drawn_graph.hpp"
 #include "strat/layout/graphviz_engine.hpp"
 #include "tests/support/catch.hpp"
@@ -99,6 +100,20 @@ TEST_CASE("A name that goes on over several lines of a joined box keeps its id a
         together += svg.substr(begin, svg.find('<', begin) - begin);
     }
     CHECK(together == number);
+}
+
+TEST_CASE("What a comparison marks is told apart without colour, in a cycle, too") {
+    const auto style = [](Mark mark, bool in_cycle, bool through) {
+        DrawnLine line;
+        line.mark = mark;
+        line.in_cycle = in_cycle;
+        line.through = through;
+        return style_of(line);
+    };
+    CHECK(style(Mark::Removed, false, false).dash != style(Mark::None, false, true).dash);
+    CHECK(style(Mark::Removed, false, false).dash != style(Mark::Changed, false, false).dash);
+    CHECK(style(Mark::Added, true, false).colour == kAlarm);
+    CHECK(style(Mark::Added, true, false).width > 1.5 * style(Mark::None, true, false).width);
 }
 
 TEST_CASE("The same record gives the same bytes") {

@@ -113,4 +113,7 @@ TEST_CASE("All words of the drawing's own come from the table") {
     for (std::size_t i = 0; i < english.shapes.size(); ++i) CHECK(german.shapes[i] != english.shapes[i]);
     CHECK(german.isolated.find("{}") != std::string::npos);
     CHECK(german.units.find("{}") != std::string::npos);
+    options.words = german;
+    CHECK(test::drawing_of(a_matrix().above("1", "2").record(), options).description ==
+          "Harris-Matrix: 2 Einheiten in 2 Kästen, 1 unmittelbare Abfolge; spätere Einheiten stehen über früheren.");
 }
