@@ -12,8 +12,12 @@ namespace {
 scans::Frustum frustum_in_scan(const PointQuery& query, const geometry::Rigid3& site_from_scan) {
     scans::Frustum frustum;
     frustum.eye = site_from_scan.inverse() * query.camera.eye();
-    if (query.everywhere) return frustum;
-    for (const Eigen::Vector4d& plane : query.camera.planes(query.aspect)) {
+    std::vector<Eigen::Vector4d> planes = query.cuts;
+    if (!query.everywhere) {
+        const std::vector<Eigen::Vector4d> seen = query.camera.planes(query.aspect);
+        planes.insert(planes.end(), seen.begin(), seen.end());
+    }
+    for (const Eigen::Vector4d& plane : planes) {
         Eigen::Vector4d turned;
         turned.head<3>() = site_from_scan.rotation.transpose() * plane.head<3>();
         turned.w() = plane.head<3>().dot(site_from_scan.translation) + plane.w();
@@ -149,16 +153,15 @@ SceneBounds bounds_of(const std::vector<ShownScan>& scans) {
     return {(corners.low + corners.high) / 2.0, (corners.high - corners.low).norm() / 2.0};
 }
 
-std::optional<Eigen::Vector3d> pick_point(const std::vector<ShownScan>& scans, const Camera::Sight& sight,
-                                          double spread) {
+std::optional<Eigen::Vector3d> pick_point(const std::vector<ShownScan>& scans, const SightPart& part, double spread) {
     std::optional<Eigen::Vector3d> best;
-    double nearest = 1e300;
+    double nearest = part.length;
     for (const ShownScan& scan : scans) {
         const geometry::Rigid3 scan_from_site = scan.site_from_scan.inverse();
         scans::Ray ray;
-        ray.origin = scan_from_site * sight.from;
-        ray.direction = scan_from_site.rotation * sight.direction;
-        ray.radius = 0.005;
+        ray.origin = scan_from_site * part.sight.from;
+        ray.direction = scan_from_site.rotation * part.sight.direction;
+        ray.radius = 0.005 + spread * part.begins;
         ray.spread = spread;
         const auto hit = scan.store->pick(ray);
         if (!hit || hit->distance >= nearest) continue;

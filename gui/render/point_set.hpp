@@ -12,6 +12,7 @@
 #include "core/geometry/rigid.hpp"
 #include "gui/render/camera.hpp"
 #include "gui/render/point_colour.hpp"
+#include "gui/render/scene_cut.hpp"
 #include "scans/cloud/point_store.hpp"
 
 namespace planum::gui {
@@ -63,6 +64,8 @@ struct PointQuery {
     std::uint64_t budget = 300'000;
     PointColour colour = PointColour::Intensity;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    /// (normal, offset) in site: nothing is chosen where normal · x + offset < 0, whatever the camera sees.
+    std::vector<Eigen::Vector4d> cuts;
     std::shared_ptr<const TintGrid> tints; ///< for Unit and Difference; null: nothing is known of any ground
     double height_low = 0.0;               ///< colours of heights run from here … [m]
     double height_high = 1.0;
@@ -88,8 +91,9 @@ struct SceneCorners {
 
 [[nodiscard]] SceneCorners corners_of(const std::vector<ShownScan>& scans);
 
-/// The point under a line of sight: the nearest of all scans; nullopt where there is none.
-[[nodiscard]] std::optional<Eigen::Vector3d> pick_point(const std::vector<ShownScan>& scans, const Camera::Sight& sight,
+/// The point under a part of a line of sight: the nearest of all scans; nullopt where there is none. `spread` is how
+/// much wider the sight gets with each metre from the eye.
+[[nodiscard]] std::optional<Eigen::Vector3d> pick_point(const std::vector<ShownScan>& scans, const SightPart& part,
                                                         double spread);
 
 /// Colours of heights: violet, blue, green to yellow, brighter with every step.

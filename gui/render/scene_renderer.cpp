@@ -10,6 +10,7 @@
 #include <QOpenGLVertexArrayObject>
 #include <QVector2D>
 #include <QVector3D>
+#include <QVector4D>
 
 #include <algorithm>
 #include <array>
@@ -31,9 +32,12 @@ uniform mat4 clip;
 uniform float pixels;
 uniform vec3 box_low;
 uniform vec3 box_high;
+uniform vec4 slab;
+uniform float slab_half;
 out vec4 tint;
 void main() {
-  bool outside = any(lessThan(place, box_low)) || any(greaterThan(place, box_high));
+  bool outside = any(lessThan(place, box_low)) || any(greaterThan(place, box_high)) ||
+                 abs(dot(slab.xyz, place) - slab.w) > slab_half;
   gl_Position = outside ? vec4(0.0, 0.0, 2.0, 1.0) : clip * vec4(place, 1.0);
   gl_PointSize = pixels;
   tint = colour;
@@ -159,7 +163,7 @@ struct SceneRenderer::Gl {
         buffer.origin = origin;
     }
 
-    void set_view(const Buffer& buffer, const Frame& frame, const SceneBox& box) {
+    void set_view(const Buffer& buffer, const Frame& frame, const SceneBox& box, const SceneSlab& slab) {
         const Eigen::Matrix4f clip =
             frame.camera.clip_from(buffer.origin, static_cast<double>(frame.width) / frame.height).cast<float>();
         points.setUniformValue("clip", QMatrix4x4(clip.data()).transposed());
@@ -170,6 +174,10 @@ struct SceneRenderer::Gl {
         };
         points.setUniformValue("box_low", relative(box.low));
         points.setUniformValue("box_high", relative(box.high));
+        const Eigen::Vector3f normal = slab.normal.cast<float>();
+        const auto offset = static_cast<float>(slab.offset - slab.normal.dot(buffer.origin));
+        points.setUniformValue("slab", QVector4D(normal.x(), normal.y(), normal.z(), offset));
+        points.setUniformValue("slab_half", static_cast<float>(slab.half));
     }
 
     void clear(const Frame& frame) const {
@@ -185,7 +193,7 @@ struct SceneRenderer::Gl {
         f->glEnable(GL_DEPTH_TEST);
         f->glEnable(kProgramPointSize);
         points.bind();
-        set_view(cloud, frame, frame.box);
+        set_view(cloud, frame, frame.box, frame.slab);
         QOpenGLVertexArrayObject::Binder bind(&cloud.layout);
         f->glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
         points.release();
@@ -196,7 +204,7 @@ struct SceneRenderer::Gl {
         if (lines.empty()) return;
         f->glDisable(GL_DEPTH_TEST);
         points.bind();
-        set_view(buffers[2], frame, SceneBox{});
+        set_view(buffers[2], frame, SceneBox{}, SceneSlab{});
         QOpenGLVertexArrayObject::Binder bind(&buffers[2].layout);
         for (const LineRange& line : lines) {
             f->glLineWidth(line.strong ? 3.0F : 1.5F);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gui/render/point_set.hpp"
+#include "gui/render/scene_cut.hpp"
 
 namespace planum::gui {
 
@@ -17,12 +18,6 @@ struct SceneLine {
     std::uint32_t colour = 0xffffff; ///< 0xRRGGBB
     bool closed = false;
     bool strong = false;
-};
-
-/// Only points inside it are drawn; by itself everything is. Site coordinates [m].
-struct SceneBox {
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(-1e9);
-    Eigen::Vector3d high = Eigen::Vector3d::Constant(1e9);
 };
 
 /// Draws points and lines with OpenGL 3.3. All calls need the same current context; where one fails it throws
@@ -48,6 +43,7 @@ class SceneRenderer {
         float point_pixels = 2.0F;
         std::uint32_t ground = 0xffffff;
         SceneBox box;
+        SceneSlab slab;
         std::uint32_t target_framebuffer = 0; ///< what is drawn into
     };
 

@@ -2204,6 +2204,56 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::SectionLine</name>
+    <message>
+        <source>Too near the first one.</source>
+        <translation>Zu nahe beim ersten.</translation>
+    </message>
+    <message>
+        <source>Click where the line begins.</source>
+        <translation>Klicken, wo die Linie beginnt.</translation>
+    </message>
+    <message>
+        <source>Click where it ends.</source>
+        <translation>Klicken, wo sie endet.</translation>
+    </message>
+    <message>
+        <source>%1 m long</source>
+        <translation>%1 m lang</translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionLineBar</name>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Look straight at it</source>
+        <translation>Gerade darauf sehen</translation>
+    </message>
+    <message>
+        <source>Show as a section</source>
+        <translation>Als Profil zeigen</translation>
+    </message>
+    <message>
+        <source>In the section view, rectified</source>
+        <translation>In der Ansicht Profil, entzerrt</translation>
+    </message>
+    <message>
+        <source>Another line</source>
+        <translation>Neue Linie</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Cut nothing away (Esc)</source>
+        <translation>Nichts wegschneiden (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::SectionModel</name>
     <message>
         <source>Cut, west to east</source>
@@ -2216,6 +2266,10 @@
     <message>
         <source>Looking along the section</source>
         <translation>Blick entlang des Profils</translation>
+    </message>
+    <message>
+        <source>Cut, laid in 3D</source>
+        <translation>Schnitt, in 3D gelegt</translation>
     </message>
 </context>
 <context>
@@ -2422,6 +2476,14 @@
     <message>
         <source>difference to another surface</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section line</source>
+        <translation>Profillinie</translation>
+    </message>
+    <message>
+        <source>Two clicks lay a line; what lies beside it is cut away</source>
+        <translation>Zwei Klicks legen eine Linie; was daneben liegt, wird weggeschnitten</translation>
     </message>
 </context>
 <context>

@@ -2204,6 +2204,56 @@
     </message>
 </context>
 <context>
+    <name>planum::gui::SectionLine</name>
+    <message>
+        <source>Too near the first one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click where the line begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click where it ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m long</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>planum::gui::SectionLineBar</name>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look straight at it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show as a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the section view, rectified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut nothing away (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::SectionModel</name>
     <message>
         <source>Cut, west to east</source>
@@ -2215,6 +2265,10 @@
     </message>
     <message>
         <source>Looking along the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut, laid in 3D</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2421,6 +2475,14 @@
     </message>
     <message>
         <source>difference to another surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two clicks lay a line; what lies beside it is cut away</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

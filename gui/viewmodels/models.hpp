@@ -8,6 +8,7 @@
 #include "gui/viewmodels/patch_model.hpp"
 #include "gui/viewmodels/problem_list_model.hpp"
 #include "gui/viewmodels/relation_entry_model.hpp"
+#include "gui/viewmodels/section_line.hpp"
 #include "gui/viewmodels/section_model.hpp"
 #include "gui/viewmodels/time_model.hpp"
 #include "gui/viewmodels/unit_card_model.hpp"
@@ -29,6 +30,7 @@ struct Models {
     RelationEntryModel entry{workspace};
     ProblemListModel problems{workspace};
     TimeModel time{workspace};
+    SectionLine section_line{workspace};
     OutlineTool outline{workspace};
     OutlineEdit edit{workspace};
     SectionModel sections{workspace};

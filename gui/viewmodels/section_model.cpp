@@ -50,6 +50,7 @@ SectionModel::SectionModel(Workspace& workspace, QObject* parent) : QObject(pare
     connect(&workspace_, &Workspace::closed, this, [this] {
         choices_.clear();
         chosen_ = -1;
+        laid_.reset();
         sheet_.reset();
         seen_.reset();
         looking_ = false;
@@ -74,6 +75,7 @@ void SectionModel::refresh() {
         choices_.push_back({tr("Cut, west to east"), cuts[0]});
         choices_.push_back({tr("Cut, south to north"), cuts[1]});
     }
+    if (laid_) choices_.push_back(*laid_);
     chosen_ = choices_.empty() ? -1 : 0;
     for (std::size_t i = 0; i < choices_.size(); ++i) {
         if (choices_[i].name == before) chosen_ = static_cast<int>(i);
@@ -87,6 +89,13 @@ void SectionModel::choose(int choice) {
     chosen_ = choice;
     look();
     emit changed();
+}
+
+void SectionModel::show_cut(const model::Section& cut, double depth) {
+    if (!workspace_.is_open()) return;
+    laid_ = Choice{tr("Cut, laid in 3D"), cut, depth};
+    refresh();
+    choose(static_cast<int>(choices_.size()) - 1);
 }
 
 std::optional<model::Section> SectionModel::section() const {
@@ -112,7 +121,9 @@ void SectionModel::look() {
     const auto wanted = section();
     if (!watched_ || !wanted) return;
     const std::vector<model::ScanPose>& poses = workspace_.snapshot()->record().poses;
-    if (seen_ == wanted && seen_from_ == poses) return;
+    const double depth = choices_[static_cast<std::size_t>(chosen_)].depth;
+    if (seen_ == wanted && seen_depth_ == depth && seen_from_ == poses) return;
+    seen_depth_ = depth;
     seen_ = wanted;
     seen_from_ = poses;
     sheet_.reset();
@@ -121,6 +132,7 @@ void SectionModel::look() {
     app::SectionRequest request;
     request.from = wanted->from_in_site;
     request.to = wanted->to_in_site;
+    request.depth = depth;
     workspace_.read(
         QStringLiteral("section"), tr("Looking along the section"),
         [this, request](app::Project& project, Progress& progress) -> JobRunner::Done {

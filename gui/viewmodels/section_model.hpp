@@ -15,7 +15,7 @@
 namespace planum::gui {
 
 /// Sections to look at: those of the record, and cuts through the middle of the trench, so that there is one before
-/// anybody has drawn any. Below the outlines stands what the scans show within 5 cm of the plane, looked for beside the
+/// anybody has drawn any. Below the outlines stands what the scans show near the plane (5 cm), looked for beside the
 /// window.
 class SectionModel : public QObject {
     Q_OBJECT
@@ -24,6 +24,7 @@ class SectionModel : public QObject {
     struct Choice {
         QString name;
         model::Section section; ///< with a nil id: a cut, which is not in the record
+        double depth = 0.05;    ///< what scans show so far before and behind it [m]
     };
 
     explicit SectionModel(Workspace& workspace, QObject* parent = nullptr);
@@ -36,6 +37,8 @@ class SectionModel : public QObject {
     [[nodiscard]] int chosen() const noexcept { return chosen_; }
 
     void choose(int choice);
+    /// Shows a cut that somebody laid elsewhere, as one more choice until the project is closed or another is laid.
+    void show_cut(const model::Section& cut, double depth);
 
     [[nodiscard]] std::optional<model::Section> section() const;
 
@@ -67,10 +70,12 @@ class SectionModel : public QObject {
     Workspace& workspace_;
     std::vector<Choice> choices_;
     int chosen_ = -1;
+    std::optional<Choice> laid_; ///< by somebody elsewhere
     bool watched_ = false;
     bool looking_ = false;
     std::shared_ptr<const geometry::MapSheet> sheet_;
     std::optional<model::Section> seen_;     ///< what the sheet shows, or what is looked for
+    double seen_depth_ = 0.0;                ///< [m]
     std::vector<model::ScanPose> seen_from_; ///< with the scans standing so
 };
 

@@ -115,6 +115,8 @@ SectionView::SectionView(Models& models)
     choice_->setMinimumWidth(170);
     connect(choice_, &QComboBox::activated, &sections_, &SectionModel::choose);
     connect(&sections_, &SectionModel::changed, this, &SectionView::refresh);
+    connect(&models.section_line, &SectionLine::handedOver, &sections_,
+            [this](const model::Section& section, double thickness) { sections_.show_cut(section, thickness / 2.0); });
     // Outlines on it may be others although the section is the same.
     connect(&models.workspace, &Workspace::snapshotChanged, this, [this] { canvas_->show_section(sections_); });
     refresh();

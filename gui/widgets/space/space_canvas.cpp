@@ -252,6 +252,28 @@ void SpaceCanvas::set_box(const std::array<double, 3>& low, const std::array<dou
     move();
 }
 
+// Where little is left of the scans, more of it can be shown: other points are chosen.
+void SpaceCanvas::set_slab(const SceneSlab& slab) {
+    if (slab == slab_) return;
+    slab_ = slab;
+    ask_for_points(SceneRenderer::Slot::Moving);
+    move();
+}
+
+void SpaceCanvas::set_marks(std::vector<SceneLine> marks) {
+    marks_ = std::move(marks);
+    take_lines();
+}
+
+void SpaceCanvas::face(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    const Eigen::Vector3d eye = -slab_.normal; // `from` on the left
+    camera_.from_above = false;
+    camera_.yaw = std::atan2(eye.y(), eye.x());
+    camera_.pitch = 0.0;
+    camera_.look_at((from + to) / 2.0, (to - from).norm() * kRound);
+    move();
+}
+
 // One frame of a flight: the fine points of where the camera is now, nothing else in between.
 void SpaceCanvas::show_frame(const Camera& camera) {
     camera_ = camera;
@@ -301,6 +323,7 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
     query.budget = query.everywhere ? kMovingPoints : flight_.is_flying() ? kFlightPoints : kStillPoints;
     query.colour = colour_;
     query.origin = origin_;
+    query.cuts = slab_.planes();
     query.height_low = low_;
     query.height_high = high_;
     workspace_.jobs().start(
@@ -349,6 +372,7 @@ void SpaceCanvas::take_lines() {
         line.colour = in_proof ? colour(theme().error) : selected ? 0x1fb6ff : 0xffd166;
         lines.push_back(std::move(line));
     }
+    lines.insert(lines.end(), marks_.begin(), marks_.end());
     makeCurrent();
     renderer_->set_lines(lines, origin_);
     doneCurrent();
@@ -368,6 +392,7 @@ SceneRenderer::Frame SpaceCanvas::frame(SceneRenderer::Slot slot) const {
     frame.slot = slot;
     frame.eye_dome = eye_dome_;
     frame.box = box_;
+    frame.slab = slab_;
     // Without a graphics card each pixel counts: points of 1.5 instead of 2.5 pixels take half of the time.
     frame.point_pixels = slot == SceneRenderer::Slot::Still ? 2.0F : slow_ ? 1.5F : 2.5F;
     frame.ground = theme().kind == ThemeKind::Sunlight ? 0xffffffU : 0x24272bU;
@@ -447,13 +472,16 @@ void SpaceCanvas::pick_at(QPointF at, bool measure) {
     if (scans_.empty()) return;
     const Camera::Sight sight = camera_.sight(2.0 * at.x() / width() - 1.0, 1.0 - 2.0 * at.y() / height(), aspect());
     const double spread = camera_.from_above ? 0.0 : 3.0 * std::tan(camera_.opening / 2.0) / height();
+    const std::optional<SightPart> part = part_inside(sight, box_, slab_);
+    if (!part) return; // nothing is drawn along it
     workspace_.jobs().start(
         QStringLiteral("pick"), JobRunner::Queueing::Newest, tr("Looking up a point"), Job::Kind::Quiet,
-        [this, sight, spread, measure, scans = scans_](Progress&) -> JobRunner::Done {
-            const auto place = pick_point(scans, sight, spread);
-            return [this, place, measure] {
+        [this, part, spread, measure, clicks = clicks_, scans = scans_](Progress&) -> JobRunner::Done {
+            const auto place = pick_point(scans, *part, spread);
+            return [this, place, measure, clicks] {
                 if (!place) return;
                 emit picked(place->x(), place->y(), place->z());
+                if (clicks == Clicks::Place) return;
                 if (!measure) {
                     measure_from_.reset();
                     const model::UnitId unit = space_.unit_at(place->x(), place->y());

@@ -39,6 +39,18 @@ class SpaceCanvas : public QOpenGLWidget {
     /// Shares of what the scans fill, 0 … 1, along x, y and height: what lies outside is cut away.
     void set_box(const std::array<double, 3>& low, const std::array<double, 3>& high);
 
+    /// Cuts away what lies beside it; by itself nothing.
+    void set_slab(const SceneSlab& slab);
+    /// Lines over everything besides the outlines.
+    void set_marks(std::vector<SceneLine> marks);
+    /// Looks level along the normal of the slab at what it leaves between these places.
+    void face(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+    /// What a click is for: a unit, or only the place that picked() says.
+    enum class Clicks { Select, Place };
+
+    void set_clicks(Clicks clicks) { clicks_ = clicks; }
+
     /// Writes flights; moving the camera by hand ends one.
     [[nodiscard]] FlightWriter& flight() noexcept { return flight_; }
 
@@ -107,6 +119,9 @@ class SpaceCanvas : public QOpenGLWidget {
     bool dragged_ = false;
     std::optional<Eigen::Vector3d> measure_from_;
     SceneBox box_;
+    SceneSlab slab_;
+    std::vector<SceneLine> marks_;
+    Clicks clicks_ = Clicks::Select;
     FlightWriter flight_;
     std::size_t drawn_ = 0;
     double frame_ms_ = 0.0;

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -18,10 +19,26 @@
 #include "gui/widgets/space/contents_panel.hpp"
 #include "gui/widgets/space/difference_bar.hpp"
 #include "gui/widgets/space/flight_cameras.hpp"
+#include "gui/widgets/space/section_line_bar.hpp"
 #include "gui/widgets/space/space_canvas.hpp"
 #include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
+
+namespace {
+
+// An upright stroke at either end, and the line between them.
+std::vector<SceneLine> section_marks(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    const Eigen::Vector3d up = 0.1 * Eigen::Vector3d::UnitZ(); // [m]
+    std::vector<SceneLine> marks;
+    for (const std::vector<Eigen::Vector3d>& places :
+         std::initializer_list<std::vector<Eigen::Vector3d>>{{from - up, from + up}, {to - up, to + up}, {from, to}}) {
+        marks.push_back({places, 0x30e0d0, false, true});
+    }
+    return marks;
+}
+
+} // namespace
 
 SpaceView::SpaceView(Models& models)
     : models_(models), space_(models.workspace, models.time), difference_(models.workspace, models.time),
@@ -47,6 +64,7 @@ void SpaceView::make_canvas() {
     canvas_ = new SpaceCanvas(models_.workspace, space_);
     compared_ = new DifferenceBar(difference_);
     box_ = new BoxPanel;
+    section_ = new SectionLineBar(models_.section_line);
     cameras_ = new FlightCameras(models_.workspace);
     cameras_->setParent(this);
     cameras_->setObjectName(QStringLiteral("flightCameras"));
@@ -54,6 +72,7 @@ void SpaceView::make_canvas() {
     column_->addWidget(make_bar());
     column_->addWidget(compared_);
     column_->addWidget(box_);
+    column_->addWidget(section_);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(6);
     middle->addWidget(contents_);
@@ -71,6 +90,7 @@ void SpaceView::make_canvas() {
     setFocusProxy(canvas_);
     connect(canvas_, &SpaceCanvas::picked, this, [this](double x, double y, double z) {
         said_->setText(tr("x %1  y %2  height %3 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).arg(z, 0, 'f', 3));
+        models_.section_line.take({x, y, z});
     });
     connect(canvas_, &SpaceCanvas::measured, this, [this](double distance, double rise) {
         said_->setText(tr("%1 m apart, %2 m up").arg(distance, 0, 'f', 3).arg(rise, 0, 'f', 3));
@@ -115,7 +135,8 @@ QWidget* SpaceView::make_bar() {
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(8, 6, 8, 6);
-    for (QWidget* part : std::initializer_list<QWidget*>{colour_, dome, all, shown, cut, make_flight_button()})
+    for (QWidget* part : std::initializer_list<QWidget*>{colour_, dome, all, shown, cut, make_section_button(),
+                                                         make_flight_button()})
         row->addWidget(part);
     row->addStretch(1);
     row->addWidget(said_);
@@ -150,6 +171,40 @@ void SpaceView::show_colour(PointColour colour) {
 // Surfaces are compared while somebody looks at the difference.
 void SpaceView::watch_difference() {
     difference_.set_watched(isVisible() && compared_ != nullptr && !compared_->isHidden());
+}
+
+QToolButton* SpaceView::make_section_button() {
+    SectionLine& line = models_.section_line;
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("spaceSection"));
+    button->setText(tr("Section line"));
+    button->setCheckable(true);
+    button->setToolTip(tr("Two clicks lay a line; what lies beside it is cut away"));
+    connect(button, &QToolButton::clicked, &line, [&line](bool on) { on ? line.begin() : line.clear(); });
+    const auto say = [this, button, &line] {
+        button->setChecked(line.state() != SectionLine::State::Off);
+        show_section_line();
+    };
+    connect(&line, &SectionLine::changed, this, say);
+    connect(section_, &SectionLineBar::faceWanted, this,
+            [this, &line] { canvas_->face(Eigen::Vector3d(line.from()->data()), Eigen::Vector3d(line.to()->data())); });
+    say();
+    return button;
+}
+
+void SpaceView::show_section_line() {
+    const SectionLine& line = models_.section_line;
+    canvas_->set_clicks(line.wants_place() ? SpaceCanvas::Clicks::Place : SpaceCanvas::Clicks::Select);
+    std::vector<SceneLine> marks;
+    SceneSlab slab;
+    if (line.from()) {
+        const Eigen::Vector3d from(line.from()->data());
+        const Eigen::Vector3d to = line.to() ? Eigen::Vector3d(line.to()->data()) : from;
+        if (line.state() == SectionLine::State::Set) slab = SceneSlab::along(from, to, line.thickness());
+        marks = section_marks(from, to);
+    }
+    canvas_->set_marks(std::move(marks));
+    canvas_->set_slab(slab);
 }
 
 QToolButton* SpaceView::make_flight_button() {
@@ -198,6 +253,13 @@ void SpaceView::showEvent(QShowEvent* event) {
     if (!tried_) make_canvas();
     space_.set_watched(canvas_ != nullptr);
     watch_difference();
+}
+
+// What the parts of the view leave to it.
+void SpaceView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape || models_.section_line.state() == SectionLine::State::Off)
+        return QWidget::keyPressEvent(event);
+    models_.section_line.clear();
 }
 
 void SpaceView::hideEvent(QHideEvent* event) {

@@ -19,6 +19,7 @@ class BoxPanel;
 class ContentsPanel;
 class DifferenceBar;
 class FlightCameras;
+class SectionLineBar;
 class SpaceCanvas;
 
 /// 3D with its choices. Where there is no OpenGL it says so in place of the picture.
@@ -37,12 +38,15 @@ class SpaceView : public QWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     void make_canvas();
     QWidget* make_bar();
     void make_colours();
     void watch_difference();
+    QToolButton* make_section_button();
+    void show_section_line();
     QToolButton* make_flight_button();
     void ask_flight();
 
@@ -53,6 +57,7 @@ class SpaceView : public QWidget {
     QComboBox* colour_ = nullptr;
     DifferenceBar* compared_ = nullptr;
     BoxPanel* box_ = nullptr;
+    SectionLineBar* section_ = nullptr;
     FlightCameras* cameras_ = nullptr;
     ContentsPanel* contents_ = nullptr;
     QVBoxLayout* column_;

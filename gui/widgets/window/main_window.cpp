@@ -73,6 +73,7 @@ MainWindow::MainWindow(const app::Session& session)
     }
     connect(&models_.problems, &ProblemListModel::checked, this, &MainWindow::refresh);
     connect(&models_.day, &DayJobs::done, this, [this](const QString& text) { statusBar()->showMessage(text, 15000); });
+    connect(&models_.section_line, &SectionLine::handedOver, this, [this] { show_view("section"); });
     setAcceptDrops(true);
     connect(&models_.entry, &RelationEntryModel::committed, this,
             [this](const QString& sentence) { statusBar()->showMessage(tr("recorded: %1").arg(sentence), 6000); });

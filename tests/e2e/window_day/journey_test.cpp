@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <QAction>
+#include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
 #include <QListView>
@@ -70,6 +72,31 @@ Place centre_of(const app::demo::DemoDig& dig) {
 std::vector<Place> corners_in(const app::demo::DemoDig& dig, double size) {
     const auto [x, y] = centre_of(dig);
     return {{x - size, y - size}, {x + size, y - size}, {x + size, y + size}, {x - size, y + size}};
+}
+
+// Two clicks cut a slice of the scans, which the section view shows as well; Esc brings the rest back.
+void lay_section_line(test::Hands& hands, SpaceCanvas& space) {
+    const auto click = [&](double across, double down) {
+        hands.click_at(&space, QPointF(across * space.width(), down * space.height()));
+        hands.settle_all();
+    };
+    SectionLine& line = hands.window.models().section_line;
+    hands.click("spaceSection");
+    click(0.4, 0.55);
+    CHECK(line.state() == SectionLine::State::WantsSecond);
+    click(0.6, 0.5);
+    REQUIRE(line.state() == SectionLine::State::Set);
+    hands.find<QDoubleSpinBox>("sectionLineThickness")->setValue(0.3);
+    hands.click("faceSectionLine");
+    hands.picture("14_section_line");
+    hands.click("showSectionLine");
+    CHECK(hands.find<QComboBox>("sectionChoice")->currentText().contains(QStringLiteral("3D")));
+    hands.picture("14_shown_as_section");
+    hands.window.show_view("3d");
+    hands.settle_all();
+    QTest::keyClick(&space, Qt::Key_Escape);
+    CHECK(line.state() == SectionLine::State::Off);
+    hands.settle_all();
 }
 
 } // namespace
@@ -267,6 +294,7 @@ TEST_CASE("A day in the window: project, scans, grid, outlines by hand, a proble
         auto* cameras = hands.find<FlightCameras>("flightCameras");
         CHECK(cameras->placed().size() == 2);
         CHECK(read_flight(flight_file_of(hands.window.models().workspace.file())).size() == 2);
+        lay_section_line(hands, *space);
         fs::create_directories(folder / "flight");
         QSignalSpy flown(&space->flight(), &FlightWriter::flown);
         space->flight().start(cameras->placed(), folder / "flight", 2);

@@ -48,6 +48,40 @@ TEST_CASE("Without a section in the record there are cuts through the middle of 
     CHECK(sections.sheet() == nullptr);
 }
 
+TEST_CASE("A cut laid elsewhere is shown as one more section until the project is closed") {
+    const test::TemporaryFolder folder;
+    test::ensure_core_application();
+    (void)test::make_measured_days(folder, folder / "site.gpkg");
+    Models models{app::Session{"Ada"}};
+    SectionModel sections(models.workspace);
+    models.workspace.open(folder / "site.gpkg", store::OpenMode::ReadWrite);
+    settle(models.workspace);
+    sections.set_watched(true);
+    settle(models.workspace);
+    model::Section cut;
+    cut.from_in_site = {0.0, 0.2};
+    cut.to_in_site = {2.0, 0.8};
+    sections.show_cut(cut, 0.1);
+    settle(models.workspace);
+    REQUIRE(sections.choices().size() == 3);
+    CHECK(sections.section() == cut);
+    REQUIRE(sections.sheet() != nullptr);
+    const auto before = sections.sheet();
+    sections.show_cut(cut, 0.3); // thicker
+    settle(models.workspace);
+    CHECK(sections.choices().size() == 3);
+    CHECK(sections.sheet() != before);
+    models.workspace.edit(QStringLiteral("edit"), [](app::Project& project, Progress&) {
+        app::record_kind("unit").set(project, "3", {{"title", "floor"}});
+    });
+    settle(models.workspace);
+    CHECK(sections.section() == cut);
+    models.workspace.close();
+    models.workspace.open(folder / "site.gpkg", store::OpenMode::ReadWrite);
+    settle(models.workspace);
+    CHECK(sections.choices().size() == 2);
+}
+
 TEST_CASE("Where nothing has a place there is no cut") { CHECK(middle_cuts({}).empty()); }
 
 TEST_CASE("The plan marks the sections of the record, and of the cuts the one that is looked at") {
