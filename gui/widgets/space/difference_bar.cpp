@@ -29,13 +29,16 @@ void DifferenceScale::show_key(const DifferenceKey& key) {
     const QString grey = centimetres(key.detectable);
     setAccessibleName(tr("%1 %2, grey within %3, %1 %4").arg(centimetres(key.span), key.lower, grey, key.higher));
     setToolTip(tr("Grey: closer than what can be told from none (95 %), %1 in the middle of all cells").arg(grey));
-    updateGeometry();
+    setMinimumWidth(sizeHint().width());
     update();
 }
 
 QSize DifferenceScale::sizeHint() const {
-    const int ends = fontMetrics().horizontalAdvance(key_.lower) + fontMetrics().horizontalAdvance(key_.higher);
-    return {std::max(320, ends + 130), kBand + 2 + fontMetrics().height()};
+    // The middle one stands in the middle: either side needs room for the longer end.
+    const auto wide = [&](const QString& words) { return fontMetrics().horizontalAdvance(words); };
+    const int end = wide(centimetres(key_.span) + QLatin1Char(' ')) + std::max(wide(key_.lower), wide(key_.higher));
+    const int middle = wide(QStringLiteral("± ") + centimetres(key_.detectable));
+    return {std::max(320, 2 * end + middle + 32), kBand + 2 + fontMetrics().height()};
 }
 
 void DifferenceScale::paintEvent(QPaintEvent* /*event*/) {
