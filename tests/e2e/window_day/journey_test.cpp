@@ -76,11 +76,18 @@ std::vector<Place> corners_in(const app::demo::DemoDig& dig, double size) {
 
 // Two clicks cut a slice of the scans, which the section view shows as well; Esc brings the rest back.
 void lay_section_line(test::Hands& hands, SpaceCanvas& space) {
-    const auto click = [&](double across, double down) {
-        hands.click_at(&space, QPointF(across * space.width(), down * space.height()));
-        hands.settle_all();
-    };
     SectionLine& line = hands.window.models().section_line;
+    // A click between two points meets none: then a little beside it.
+    const auto click = [&](double across, double down) {
+        const SectionLine::State before = line.state();
+        for (int step = 0; step < 40 && line.state() == before; ++step) {
+            hands.click_at(&space,
+                           QPointF(across * space.width() + 3 * (step % 8), down * space.height() + 3 * (step / 8)));
+            hands.settle_all();
+        }
+    };
+    QTest::keyClick(&space, Qt::Key_F);
+    hands.settle_all();
     hands.click("spaceSection");
     click(0.4, 0.55);
     CHECK(line.state() == SectionLine::State::WantsSecond);
