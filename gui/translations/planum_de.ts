@@ -2475,7 +2475,7 @@
     </message>
     <message>
         <source>difference to another surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschied zu einer anderen Fläche</translation>
     </message>
     <message>
         <source>Section line</source>

@@ -54,8 +54,15 @@ inline std::string broken_frame(const model::Record& record, const strat::Matrix
         if (group == record.groups.end()) return frame.heading + " is no group";
         std::size_t held = 0;
         for (const DrawnBox& box : drawing.boxes) {
+            // Merged units stand in the frame that all of them share that are in any.
+            const auto any_in = [&](const model::UnitGroup& g) {
+                return std::any_of(box.units.begin(), box.units.end(), [&](model::UnitId unit) {
+                    return std::find(g.members.begin(), g.members.end(), unit) != g.members.end();
+                });
+            };
             const bool member =
-                std::find(group->members.begin(), group->members.end(), box.units.front()) != group->members.end();
+                any_in(*group) && std::none_of(record.groups.begin(), record.groups.end(),
+                                               [&](const auto& g) { return &g != &*group && any_in(g); });
             if (member && !box.isolated) {
                 const DrawRect& r = box.rect;
                 const bool inside = r.x >= frame.rect.x && r.right() <= frame.rect.right() && r.y >= frame.rect.y &&

@@ -135,8 +135,8 @@ QWidget* SpaceView::make_bar() {
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(8, 6, 8, 6);
-    for (QWidget* part : std::initializer_list<QWidget*>{colour_, dome, all, shown, cut, make_section_button(),
-                                                         make_flight_button()})
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{colour_, dome, all, shown, cut, make_section_button(), make_flight_button()})
         row->addWidget(part);
     row->addStretch(1);
     row->addWidget(said_);
