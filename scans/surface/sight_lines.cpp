@@ -127,6 +127,11 @@ void widen(const GridFrame& frame, Seen& seen) {
     const auto reach = static_cast<std::int32_t>(std::lround(1.5 * (seen.spacing / frame.cell - 1.0)));
     seen.widened = reach * frame.cell;
     if (reach <= 0) return;
+    constexpr std::int32_t kSparsest = 6;
+    if (reach > kSparsest) { // between points so far apart nothing is an edge
+        seen.top.assign(seen.top.size(), kUnknown);
+        return;
+    }
     const Seen points = seen;
     for (std::int32_t row = 0; row < frame.rows; ++row) {
         for (std::int32_t column = 0; column < frame.columns; ++column) {
