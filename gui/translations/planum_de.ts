@@ -2485,6 +2485,14 @@
         <source>Two clicks lay a line; what lies beside it is cut away</source>
         <translation>Zwei Klicks legen eine Linie; was daneben liegt, wird weggeschnitten</translation>
     </message>
+    <message>
+        <source>Drag to turn, right button to move, wheel to come nearer; a click says the place.</source>
+        <translation>Ziehen dreht, rechte Taste schiebt, das Rad holt näher; ein Klick nennt die Stelle.</translation>
+    </message>
+    <message>
+        <source>No point is there; come nearer, or click where points are drawn.</source>
+        <translation>Dort ist kein Punkt; näher herangehen oder dorthin klicken, wo Punkte stehen.</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::SuggestionListModel</name>

@@ -2485,6 +2485,14 @@
         <source>Two clicks lay a line; what lies beside it is cut away</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Drag to turn, right button to move, wheel to come nearer; a click says the place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point is there; come nearer, or click where points are drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::SuggestionListModel</name>

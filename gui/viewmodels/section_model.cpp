@@ -15,6 +15,15 @@ namespace {
 constexpr double kBeyond = 0.5;        // [m] that a cut reaches beyond the outlines
 constexpr double kAroundStation = 3.0; // [m]
 
+// A run that is accepted or discarded moves scans without a change of any pose.
+std::vector<model::ScanPose> poses_in_force(const model::Record& record) {
+    std::vector<model::ScanPose> poses;
+    for (const model::Scan& scan : record.scans)
+        if (const model::ScanPose* pose = model::pose_in_force(record, scan.id); pose != nullptr)
+            poses.push_back(*pose);
+    return poses;
+}
+
 } // namespace
 
 std::vector<model::Section> middle_cuts(const model::Record& record) {
@@ -120,14 +129,14 @@ std::vector<SectionModel::Line> SectionModel::lines_in_plan() const {
 void SectionModel::look() {
     const auto wanted = section();
     if (!watched_ || !wanted) return;
-    const std::vector<model::ScanPose>& poses = workspace_.snapshot()->record().poses;
+    std::vector<model::ScanPose> poses = poses_in_force(workspace_.snapshot()->record());
     const double depth = choices_[static_cast<std::size_t>(chosen_)].depth;
     if (seen_ == wanted && seen_depth_ == depth && seen_from_ == poses) return;
     seen_depth_ = depth;
     seen_ = wanted;
-    seen_from_ = poses;
+    seen_from_ = std::move(poses);
     sheet_.reset();
-    looking_ = !poses.empty();
+    looking_ = !seen_from_.empty();
     if (!looking_) return;
     app::SectionRequest request;
     request.from = wanted->from_in_site;

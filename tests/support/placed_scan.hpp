@@ -26,11 +26,11 @@ inline std::array<double, 16> turned_pose(double height) {
     return {0, -1, 0, 100, 1, 0, 0, 200, 0, 0, 1, height, 0, 0, 0, 1};
 }
 
-/// Gives all scans of the project one accepted pose.
-inline void place_scans(app::Project& project, const std::array<double, 16>& site_from_scan) {
+/// Gives all scans of the project one accepted pose, in a run of this name; of several the last name holds.
+inline void place_scans(app::Project& project, const std::array<double, 16>& site_from_scan, const char* name = "1") {
     project.change("place", [&] {
         model::RegistrationRun run;
-        run.name = "1";
+        run.name = name;
         run.made_at = "2025-06-02T10:00:00Z";
         run.state = "accepted";
         run.id = project.file().insert(run);

@@ -432,13 +432,13 @@ void SpaceCanvas::pick_at(QPointF at, bool measure) {
     const Camera::Sight sight = camera_.sight(2.0 * at.x() / width() - 1.0, 1.0 - 2.0 * at.y() / height(), aspect());
     const double spread = camera_.from_above ? 0.0 : 3.0 * std::tan(camera_.opening / 2.0) / height();
     const std::optional<SightPart> part = part_inside(sight, box_, slab_);
-    if (!part) return; // nothing is drawn along it
+    if (!part) return emit missed(); // all of it is cut away
     workspace_.jobs().start(
         QStringLiteral("pick"), JobRunner::Queueing::Newest, tr("Looking up a point"), Job::Kind::Quiet,
         [this, part, spread, measure, clicks = clicks_, scans = scans_](Progress&) -> JobRunner::Done {
             const auto place = pick_point(scans, *part, spread);
             return [this, place, measure, clicks] {
-                if (!place) return;
+                if (!place) return emit missed();
                 emit picked(place->x(), place->y(), place->z());
                 if (clicks == Clicks::Place) return;
                 if (!measure) {

@@ -67,6 +67,8 @@ class SpaceCanvas : public QOpenGLWidget {
   signals:
     /// What is under a click: place of the site.
     void picked(double x, double y, double z);
+    /// Nothing is drawn under a click.
+    void missed();
     /// Two places were clicked with Shift: what lies between them.
     void measured(double distance, double rise);
     void troubled(const QString& sentence);

@@ -15,6 +15,7 @@
 
 #include "gui/viewmodels/models.hpp"
 #include "gui/widgets/choice_dialog.hpp"
+#include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/space/box_panel.hpp"
 #include "gui/widgets/space/contents_panel.hpp"
 #include "gui/widgets/space/difference_bar.hpp"
@@ -46,7 +47,10 @@ SpaceView::SpaceView(Models& models)
     setObjectName(QStringLiteral("3d"));
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(0);
+    said_->setObjectName(QStringLiteral("spaceSaid"));
     said_->setProperty("role", "faint");
+    said_->setContentsMargins(8, 4, 8, 4);
+    said_->setText(tr("Drag to turn, right button to move, wheel to come nearer; a click says the place."));
 }
 
 // Made when somebody looks for the first time: a program on a machine without OpenGL never asks for it.
@@ -78,6 +82,8 @@ void SpaceView::make_canvas() {
     middle->addWidget(contents_);
     middle->addWidget(canvas_, 1);
     column_->addLayout(middle, 1);
+    said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long sentence does not widen the window
+    column_->addWidget(said_);
     compared_->hide();
     box_->hide();
     contents_->hide();
@@ -92,6 +98,8 @@ void SpaceView::make_canvas() {
         said_->setText(tr("x %1  y %2  height %3 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).arg(z, 0, 'f', 3));
         models_.section_line.take({x, y, z});
     });
+    connect(canvas_, &SpaceCanvas::missed, this,
+            [this] { said_->setText(tr("No point is there; come nearer, or click where points are drawn.")); });
     connect(canvas_, &SpaceCanvas::measured, this, [this](double distance, double rise) {
         said_->setText(tr("%1 m apart, %2 m up").arg(distance, 0, 'f', 3).arg(rise, 0, 'f', 3));
     });
@@ -132,16 +140,15 @@ QWidget* SpaceView::make_bar() {
         contents_->setVisible(on);
         if (on) contents_->setFocus();
     });
+    auto* above = button(tr("From above"), tr("Plan, north up (T)"), &SpaceCanvas::from_above);
+    auto* whole = button(tr("Fit"), tr("The trench (F)"), &SpaceCanvas::fit);
     auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new FlowLayout(6);
+    bar->setLayout(row);
     row->setContentsMargins(8, 6, 8, 6);
-    for (QWidget* part :
-         std::initializer_list<QWidget*>{colour_, dome, all, shown, cut, make_section_button(), make_flight_button()})
+    for (QWidget* part : std::initializer_list<QWidget*>{colour_, dome, all, shown, cut, make_section_button(),
+                                                         make_flight_button(), above, whole})
         row->addWidget(part);
-    row->addStretch(1);
-    row->addWidget(said_);
-    row->addWidget(button(tr("From above"), tr("Plan, north up (T)"), &SpaceCanvas::from_above));
-    row->addWidget(button(tr("Fit"), tr("The trench (F)"), &SpaceCanvas::fit));
     return bar;
 }
 

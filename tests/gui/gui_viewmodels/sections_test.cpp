@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gui/viewmodels/section_model.hpp"
 
+#include "app/registration/registration_runs.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gui_project.hpp"
@@ -115,4 +116,26 @@ TEST_CASE("The plan marks the sections of the record, and of the cuts the one th
     CHECK(lines[1].from.y() < 0.0);
     sections.choose(0);
     CHECK(sections.lines_in_plan().size() == 1);
+}
+
+TEST_CASE("A registration accepted or discarded moves what the section shows") {
+    const test::TemporaryFolder folder;
+    test::ensure_core_application();
+    {
+        app::Project project = test::make_measured_days(folder, folder / "site.gpkg");
+        test::place_scans(project, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0.5, 0, 0, 0, 1}, "2");
+    }
+    Models models{app::Session{"Ada"}};
+    SectionModel sections(models.workspace);
+    models.workspace.open(folder / "site.gpkg", store::OpenMode::ReadWrite);
+    settle(models.workspace);
+    sections.set_watched(true);
+    settle(models.workspace);
+    REQUIRE(sections.sheet() != nullptr);
+    const auto before = sections.sheet();
+    models.workspace.edit(QStringLiteral("discard"),
+                          [](app::Project& project, Progress&) { (void)app::discard_run(project, "2"); });
+    settle(models.workspace);
+    REQUIRE(sections.sheet() != nullptr);
+    CHECK(sections.sheet() != before);
 }
