@@ -12,6 +12,7 @@
 #include "app/regions/region_names.hpp"
 #include "app/scans/days_surface.hpp"
 #include "app/surfaces/recorded_surface.hpp"
+#include "app/surfaces/spot_heights.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "scans/surface/label_grid.hpp"
@@ -76,7 +77,7 @@ class AreaEarth {
                 continue;
             }
             RecordedSurface here = recorded_surface(project_, *surface, cell_, progress_);
-            if (last) report.steps.push_back(step(*last_surface, *last, here));
+            if (last) report.steps.push_back(step(*last_surface, *last, *surface, here));
             last = std::move(here);
             last_surface = surface;
         }
@@ -89,13 +90,16 @@ class AreaEarth {
         });
     }
 
-    EarthStep step(const model::Surface& surface, const RecordedSurface& before, const RecordedSurface& after) {
+    EarthStep step(const model::Surface& surface, const RecordedSurface& before, const model::Surface& next,
+                   const RecordedSurface& after) {
         const scans::GridFrame frame = scans::common_frame(before.grid.frame, after.grid.frame);
         if (dug_.empty()) dug_ = dug_cells(frame);
         std::vector<EarthOfUnit> units;
         const std::vector<std::int32_t> label = labels(frame, surface, units);
         scans::VolumeOptions options;
         options.outline_sigma = outline_sigma(surface);
+        options.spots_before = spot_heights(record_, surface);
+        options.spots_after = spot_heights(record_, next);
         const std::vector<scans::DugVolume> of_units =
             scans::dug_volumes(before.grid, after.grid, label, units.size(), options);
         EarthStep result;
@@ -105,7 +109,9 @@ class AreaEarth {
             units[i].earth = earth_of(of_units[i]);
             if (units[i].earth.area > 0.0) result.units.push_back(units[i]);
         }
-        const scans::DugVolume total = scans::dug_volumes(before.grid, after.grid, dug_, 1)[0];
+        scans::VolumeOptions in_all = options;
+        in_all.outline_sigma = 0.0; // nothing is divided
+        const scans::DugVolume total = scans::dug_volumes(before.grid, after.grid, dug_, 1, in_all)[0];
         result.total = earth_of(total);
         result.gone = total.gone;
         result.added = total.added;

@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "scans/surface/spot_floors.hpp"
+
 namespace planum::scans {
 
 namespace {
@@ -17,7 +19,6 @@ namespace {
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr int kSweeps = 60;
 constexpr float kOverRelax = 1.6F;
-constexpr float kOnLine = 0.02F;      // what is no higher above a line of sight is under it [m]
 constexpr double kUprightStep = 0.03; // sides whose ends differ by less are no sides [m]
 
 class Filler {
@@ -32,8 +33,9 @@ class Filler {
         }
     }
 
-    FilledHeights fill() {
+    FilledHeights fill(std::span<const SpotHeight> spots) {
         raise_fences();
+        lay_floors(filled_, grid_, fence_, spots, options_.doubt);
         spread(Fences::Closed);
         relax();
         lay_fences();
@@ -122,14 +124,14 @@ class Filler {
     }
 
     /// Whether ground of that height can be continued into a cell without rising above the lines of sight over it.
-    [[nodiscard]] bool admits(std::size_t cell, float height) const { return !(height > ceiling(cell) + kOnLine); }
+    [[nodiscard]] bool admits(std::size_t cell, float height) const { return !(height > ceiling(cell) + kOnSightLine); }
 
     // What lies in a shadow is somewhere between the line of sight over it and the ground it was continued from.
     void doubt_shadows() {
         for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
             const float most = ceiling(cell);
             if (std::isnan(most) || std::isnan(filled_.height[cell])) continue;
-            filled_.height[cell] = std::min(filled_.height[cell], most + kOnLine);
+            filled_.height[cell] = std::min(filled_.height[cell], most + kOnSightLine);
             filled_.sigma[cell] = std::max(filled_.sigma[cell], (most - filled_.height[cell]) * options_.shadow_doubt);
         }
     }
@@ -337,11 +339,11 @@ class Filler {
 
 } // namespace
 
-FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options) {
-    if (grid.ceiling.empty()) return Filler(grid, options).fill();
+FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options, std::span<const SpotHeight> spots) {
+    if (grid.ceiling.empty()) return Filler(grid, options).fill(spots);
     SurfaceGrid clean = grid;
     drop_hanging(clean, options.sight);
-    return Filler(clean, options).fill();
+    return Filler(clean, options).fill(spots);
 }
 
 } // namespace planum::scans

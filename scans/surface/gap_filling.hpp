@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "core/geometry/gpb.hpp"
 #include "scans/surface/sight_lines.hpp"
 #include "scans/surface/surface_grid.hpp"
 
@@ -14,6 +16,15 @@ struct GapOptions {
     double doubt = 0.1;        ///< σ of a filled height for each metre from the ground it was taken from
     float shadow_doubt = 0.2F; ///< σ in a shadow for each metre between the line of sight and what was filled in
     SightRules sight;
+};
+
+/// The height of a hollow's floor, measured by other means than the scans, as with a level or a total station.
+struct SpotHeight {
+    double x = 0.0; ///< in site [m]
+    double y = 0.0;
+    double z = 0.0;
+    double sigma = 0.02;           ///< [m]
+    geometry::MultiPolygon hollow; ///< the outline of what it is the floor of, in plan of the site
 };
 
 /// Heights of a surface with its gaps closed.
@@ -30,6 +41,9 @@ struct FilledHeights {
 /// a side runs through is divided between the ground on both sides of it by the line on which points of the side lie
 /// along it; where none shows the line, halfway. Under a line of sight over a shadow (SurfaceGrid::ceiling) only ground
 /// that is no higher is continued. Where a side is several cells wide, its cells lie where their points do.
-[[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {});
+///
+/// Where no scanner looked into a hollow, `spots` say how deep it is (lay_floors()).
+[[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {},
+                                      std::span<const SpotHeight> spots = {});
 
 } // namespace planum::scans

@@ -34,8 +34,8 @@ class Counter {
     Counter(const SurfaceGrid& before, const SurfaceGrid& after, std::span<const std::int32_t> label_of,
             const VolumeOptions& options)
         : before_(before), after_(after), label_of_(label_of), options_(options),
-          frame_(common_frame(before.frame, after.frame)), filled_before_(fill_gaps(before, options.gaps)),
-          filled_after_(fill_gaps(after, options.gaps)) {
+          frame_(common_frame(before.frame, after.frame)), filled_before_(fill_gaps(before, options.gaps, options.spots_before)),
+          filled_after_(fill_gaps(after, options.gaps, options.spots_after)) {
         if (!label_of.empty() && label_of.size() != frame_.cells())
             throw Error(ErrorCode::Usage, "labels that are not those of the cells two surfaces share");
     }

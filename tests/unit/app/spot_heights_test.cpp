@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "app/surfaces/spot_heights.hpp"
+
+#include "core/base/uuid.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace planum;
+
+namespace {
+
+model::Region outline_of(const model::StratigraphicUnit& unit, const model::Surface& surface,
+                         model::RegionShows shows) {
+    model::Region region;
+    region.unit = unit.id;
+    region.surface = surface.id;
+    region.shows = shows;
+    region.outline = {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}}};
+    return region;
+}
+
+} // namespace
+
+TEST_CASE("Of all levels those of cuts that stand empty on the surface say how deep hollows are") {
+    model::Record record;
+    SeededUuids ids{1};
+    model::Surface before;
+    before.id = model::SurfaceId{ids.next()};
+    model::Surface after;
+    after.id = model::SurfaceId{ids.next()};
+    model::StratigraphicUnit cut;
+    cut.id = model::UnitId{ids.next()};
+    model::StratigraphicUnit fill;
+    fill.id = model::UnitId{ids.next()};
+    record.regions = {outline_of(fill, before, model::RegionShows::Top),
+                      outline_of(cut, after, model::RegionShows::Cut)};
+    const auto level = [&](const model::StratigraphicUnit& unit, double x, double z) {
+        model::Level l;
+        l.unit = unit.id;
+        l.x = x;
+        l.y = 0.5;
+        l.z = z;
+        record.levels.push_back(l);
+    };
+    level(fill, 0.5, 9.0);
+    level(cut, 0.4, 8.0);
+    level(cut, 0.6, 8.5);
+    level(cut, 0.7, 8.6);
+    record.levels.back().x.reset(); // on an old sheet without a place
+    CHECK(app::spot_heights(record, before).empty());
+    const auto spots = app::spot_heights(record, after);
+    REQUIRE(spots.size() == 2);
+    CHECK(spots[0].x == 0.4);
+    CHECK(spots[0].z == 8.0);
+    CHECK(spots[1].z == 8.5);
+    CHECK(spots[1].hollow.size() == 1);
+}
