@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gui/viewmodels/section_model.hpp"
 
-#include "app/registration/registration_runs.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gui_project.hpp"
@@ -133,8 +132,12 @@ TEST_CASE("A registration accepted or discarded moves what the section shows") {
     settle(models.workspace);
     REQUIRE(sections.sheet() != nullptr);
     const auto before = sections.sheet();
-    models.workspace.edit(QStringLiteral("discard"),
-                          [](app::Project& project, Progress&) { (void)app::discard_run(project, "2"); });
+    models.workspace.edit(QStringLiteral("discard"), [](app::Project& project, Progress&) {
+        model::RegistrationRun run = project.record().runs.back();
+        REQUIRE(run.name == "2");
+        run.state = "discarded";
+        project.change("discard", [&] { project.file().update(run); });
+    });
     settle(models.workspace);
     REQUIRE(sections.sheet() != nullptr);
     CHECK(sections.sheet() != before);
