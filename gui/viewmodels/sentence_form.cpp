@@ -12,7 +12,8 @@ SentenceForm::SentenceForm(const char* english) : english_(QString::fromUtf8(eng
     for (auto it = place.globalMatch(english_); it.hasNext();) {
         const auto found = it.next();
         add_words(expression, english_.mid(at, found.capturedStart() - at));
-        expression += QStringLiteral("(.+?)");
+        // A date stays whole: in `on 2 June 2025 1.5 m² of 3 …` the first place does not end behind the 2.
+        expression += QStringLiteral("(\\d\\d? [A-Z][a-z]+ \\d{4}|.+?)");
         places_.push_back(found.captured(1).toInt());
         at = found.capturedEnd();
     }

@@ -59,25 +59,36 @@ void FlowLayout::setGeometry(const QRect& rect) {
     flow(rect, Place::Move);
 }
 
+// What is lower than the tallest of its line stands in the middle of it, as text beside a button should.
 int FlowLayout::flow(const QRect& whole, Place place) const {
     const QRect rect = whole.marginsRemoved(contentsMargins());
+    std::vector<QLayoutItem*> line;
     int x = rect.left();
     int y = rect.top();
-    int line = 0;
+    const auto end_line = [&] {
+        int height = 0;
+        for (const QLayoutItem* item : line) height = std::max(height, item->sizeHint().height());
+        x = rect.left();
+        for (QLayoutItem* item : line) {
+            const QSize size = item->sizeHint();
+            const QPoint corner(x, y + (height - size.height()) / 2);
+            if (place == Place::Move)
+                item->setGeometry(QRect(corner, QSize(std::min(size.width(), rect.width()), size.height())));
+            x += size.width() + spacing();
+        }
+        x = rect.left();
+        y += height + spacing();
+        line.clear();
+    };
     for (const auto& item : items_) {
         if (item->isEmpty()) continue; // hidden
-        const QSize size = item->sizeHint();
-        if (x > rect.left() && x + size.width() > rect.right() + 1) {
-            x = rect.left();
-            y += line + spacing();
-            line = 0;
-        }
-        const int width = std::min(size.width(), rect.width());
-        if (place == Place::Move) item->setGeometry(QRect(x, y, width, size.height()));
-        x += size.width() + spacing();
-        line = std::max(line, size.height());
+        const int width = item->sizeHint().width();
+        if (!line.empty() && x + width > rect.right() + 1) end_line();
+        line.push_back(item.get());
+        x += width + spacing();
     }
-    return y + line - rect.top() + margins().height();
+    if (!line.empty()) end_line();
+    return std::max(0, y - rect.top() - spacing()) + margins().height();
 }
 
 } // namespace planum::gui

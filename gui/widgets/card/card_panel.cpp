@@ -19,6 +19,7 @@
 #include "gui/viewmodels/models.hpp"
 #include "gui/widgets/card/photo_strip.hpp"
 #include "gui/widgets/card/relation_entry_bar.hpp"
+#include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
@@ -101,14 +102,14 @@ CardPanel::CardPanel(Models& models)
     auto* top = new QHBoxLayout;
     top->addWidget(new_number_, 1);
     top->addWidget(add);
-    auto* head = new QHBoxLayout;
-    head->addWidget(title_, 1);
-    head->addWidget(more_);
-    head->addWidget(delete_);
+    auto* head = new QWidget;
+    auto* row = new FlowLayout(6);
+    head->setLayout(row);
+    for (QWidget* part : std::initializer_list<QWidget*>{title_, more_, delete_}) row->addWidget(part);
     auto* column = new QVBoxLayout(body_);
     column->setContentsMargins(12, 8, 12, 12);
     column->setSpacing(6);
-    column->addLayout(head);
+    column->addWidget(head);
     column->addWidget(subtitle_);
     column->addWidget(fields_);
     column->addWidget(relations_);
@@ -249,6 +250,7 @@ void CardPanel::show_relations() {
         auto* line = new QLabel(QStringLiteral("<a href='#' style='color:%1;text-decoration:none'>%2</a>%3")
                                     .arg(theme().accent.name(), relation.sentence.toHtmlEscaped(),
                                          relation.uncertain ? QStringLiteral(" (?)") : QString()));
+        line->setWordWrap(true);
         line->setToolTip(relation.said_by);
         line->setAccessibleName(relation.sentence);
         connect(line, &QLabel::linkActivated, this,
@@ -264,6 +266,7 @@ void CardPanel::show_lines() {
     column->addWidget(label(tr("Levels, finds, papers"), "heading"));
     for (const CardLine& line : models_.card.lines()) {
         auto* said = new QLabel(line.kind + QStringLiteral("  ") + line.text);
+        said->setWordWrap(true);
         said->setToolTip(line.path);
         column->addWidget(said);
     }

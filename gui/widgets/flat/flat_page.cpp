@@ -8,8 +8,15 @@
 
 #include "gui/widgets/flat/flat_canvas.hpp"
 #include "gui/widgets/flat/outline_bar.hpp"
+#include "gui/widgets/flow_layout.hpp"
 
 namespace planum::gui {
+
+namespace {
+
+constexpr int kPlaceCharacters = 34;
+
+} // namespace
 
 FlatPage::FlatPage() : place_(new QLabel) {}
 
@@ -17,8 +24,8 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
     setObjectName(name);
     place_->setObjectName(name + QStringLiteral("Place"));
     place_->setProperty("role", "faint");
-    place_->setMinimumWidth(230);
-    place_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    place_->setMinimumWidth(fontMetrics().averageCharWidth() * kPlaceCharacters);
+    place_->setAlignment((choices.size() > 1 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     auto* fit = new QToolButton;
     fit->setText(tr("Fit"));
     fit->setToolTip(tr("Shows the whole (F)"));
@@ -27,20 +34,26 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    auto* top = new QHBoxLayout;
-    const bool two_lines = choices.size() > 1;
-    top->setContentsMargins(choices.isEmpty() ? 0 : 8, two_lines ? 6 : 0, 8, 0);
-    top->setSpacing(8);
-    for (QWidget* choice : choices) top->addWidget(choice);
-    if (two_lines) {
-        top->addStretch(1);
+    if (choices.size() > 1) {
+        auto* head = new QWidget;
+        auto* top = new FlowLayout(6);
+        head->setLayout(top);
+        top->setContentsMargins(8, 6, 8, 0);
+        for (QWidget* choice : choices) top->addWidget(choice);
+        top->addWidget(fit);
+        top->addWidget(place_);
+        column->addWidget(head);
+        column->addWidget(bar);
     } else {
+        auto* top = new QHBoxLayout;
+        top->setContentsMargins(choices.isEmpty() ? 0 : 8, 0, 8, 0);
+        top->setSpacing(8);
+        for (QWidget* choice : choices) top->addWidget(choice);
         top->addWidget(bar, 1);
+        top->addWidget(place_);
+        top->addWidget(fit);
+        column->addLayout(top);
     }
-    top->addWidget(place_);
-    top->addWidget(fit);
-    column->addLayout(top);
-    if (two_lines) column->addWidget(bar);
     column->addWidget(canvas, 1);
     setFocusProxy(canvas);
 }

@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QDateTime>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -14,6 +13,7 @@
 #include "app/records/relation_entry.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/language.hpp"
 #include "gui/widgets/matrix/matrix_canvas.hpp"
 #include "gui/widgets/matrix/matrix_ink.hpp"
@@ -110,17 +110,14 @@ QWidget* MatrixView::make_bar() {
     const auto middle = [this] { return QPointF(canvas_->width() / 2.0, canvas_->height() / 2.0); };
     count_->setProperty("role", "faint");
     auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new FlowLayout(6);
+    bar->setLayout(row);
     row->setContentsMargins(8, 6, 8, 6);
-    row->addWidget(part_);
-    row->addWidget(fold_);
-    row->addWidget(titles_);
-    row->addWidget(evidence_);
-    row->addStretch(1);
-    row->addWidget(count_);
+    for (QWidget* part : std::initializer_list<QWidget*>{part_, fold_, titles_, evidence_}) row->addWidget(part);
     row->addWidget(button(QStringLiteral("−"), tr("Smaller"), [=, this] { canvas_->zoom(0.8, middle()); }));
     row->addWidget(button(QStringLiteral("+"), tr("Larger"), [=, this] { canvas_->zoom(1.25, middle()); }));
     row->addWidget(button(tr("Fit"), tr("The whole drawing (F)"), [this] { canvas_->fit(); }));
+    row->addWidget(count_);
     return bar;
 }
 

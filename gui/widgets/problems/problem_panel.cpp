@@ -72,6 +72,7 @@ ProblemPanel::ProblemPanel(Models& models)
     auto* head = new QHBoxLayout;
     head->setContentsMargins(10, 6, 10, 6);
     head->setSpacing(14);
+    summary_->setWordWrap(true); // however long it gets, the window does not grow
     head->addWidget(summary_, 1);
     head->addWidget(remarks);
     head->addWidget(sign_off);

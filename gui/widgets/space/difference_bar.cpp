@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
@@ -67,14 +68,15 @@ DifferenceBar::DifferenceBar(DifferenceModel& difference)
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     said_->setObjectName(QStringLiteral("differenceSaid"));
     said_->setProperty("role", "faint");
-    said_->setWordWrap(true);
-    auto* row = new QHBoxLayout(this);
+    auto* compared = new QWidget;
+    auto* pair = new QHBoxLayout(compared);
+    pair->setContentsMargins(0, 0, 0, 0);
+    pair->addWidget(new QLabel(tr("Compared with")));
+    pair->addWidget(choice_);
+    auto* row = new FlowLayout(12);
+    setLayout(row);
     row->setContentsMargins(8, 2, 8, 6);
-    row->setSpacing(12);
-    row->addWidget(new QLabel(tr("Compared with")));
-    row->addWidget(choice_);
-    row->addWidget(scale_);
-    row->addWidget(said_, 1);
+    for (QWidget* part : std::initializer_list<QWidget*>{compared, scale_, said_}) row->addWidget(part);
     connect(choice_, &QComboBox::activated, this, [this](int at) {
         difference_.compare_with(difference_.choices().at(static_cast<std::size_t>(at)).surface);
     });
@@ -94,6 +96,7 @@ void DifferenceBar::refresh() {
     scale_->setVisible(compared);
     if (compared) scale_->show_key(difference_.key());
     said_->setText(compared ? difference_.key().summary : difference_.said());
+    said_->setToolTip(said_->text());
 }
 
 } // namespace planum::gui

@@ -84,6 +84,7 @@ SuggestionPanel::SuggestionPanel(Models& models)
     auto* head = new QHBoxLayout;
     head->setContentsMargins(10, 6, 10, 6);
     head->setSpacing(14);
+    summary_->setWordWrap(true);
     head->addWidget(summary_, 1);
     head->addWidget(decided);
     head->addWidget(compile_);

@@ -10,6 +10,12 @@
 
 namespace planum::gui {
 
+namespace {
+
+constexpr int kFewestCharacters = 16; // that a list shows in a narrow window
+
+} // namespace
+
 TodayPanel::TodayPanel(Models& models) : today_(models.workspace) {
     setObjectName(QStringLiteral("today"));
     auto* row = new QHBoxLayout(this);
@@ -19,9 +25,11 @@ TodayPanel::TodayPanel(Models& models) : today_(models.workspace) {
     for (std::size_t i = 0; i < lists_.size(); ++i) {
         heads_[i] = new QLabel;
         heads_[i]->setProperty("role", "heading");
+        heads_[i]->setWordWrap(true);
         lists_[i] = new QListWidget;
         lists_[i]->setObjectName(QString::fromLatin1(names[i]));
         lists_[i]->setUniformItemSizes(true);
+        lists_[i]->setMinimumWidth(lists_[i]->fontMetrics().averageCharWidth() * kFewestCharacters);
         connect(lists_[i], &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
             if (item != nullptr) today_.choose(item->data(Qt::UserRole).toString());
         });

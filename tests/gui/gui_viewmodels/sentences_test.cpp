@@ -99,6 +99,10 @@ TEST_CASE("Sentences within a sentence are said in German too, what people wrote
               std::string("units.csv:8: the title of 3 is clay and ash here and was sand before; the first "
                           "is kept")) ==
           QString::fromUtf8("units.csv:8: title von 3 ist hier clay and ash und war vorher sand; das erste bleibt"));
+    CHECK(in_window_language(std::string("on 2 June 2025 1.5 m² of 1008 lay bare where 1005 had been on 1 June 2025, "
+                                         "4 cm lower")) ==
+          QString::fromUtf8("am 2. Juni 2025 lagen 1.5 m² von 1008 frei, wo am 1. Juni 2025 1005 gewesen war, 4 cm "
+                            "tiefer"));
     CHECK(in_window_language(std::string("a note that somebody wrote")) ==
           QStringLiteral("a note that somebody wrote"));
 }
