@@ -69,13 +69,15 @@ ProblemPanel::ProblemPanel(Models& models)
     sign_off->setObjectName(QStringLiteral("signOff"));
     sign_off->setToolTip(tr("What stands now is not new tomorrow; it is signed with your name."));
     connect(sign_off, &QPushButton::clicked, &models_.problems, &ProblemListModel::sign_off);
-    auto* head = new QHBoxLayout;
+    auto* head = new QVBoxLayout;
     head->setContentsMargins(10, 6, 10, 6);
-    head->setSpacing(14);
     summary_->setWordWrap(true); // however long it gets, the window does not grow
-    head->addWidget(summary_, 1);
-    head->addWidget(remarks);
-    head->addWidget(sign_off);
+    head->addWidget(summary_);
+    auto* choices = new QHBoxLayout;
+    choices->addWidget(remarks);
+    choices->addStretch(1);
+    choices->addWidget(sign_off);
+    head->addLayout(choices);
     auto* left = new QWidget;
     auto* column = new QVBoxLayout(left);
     column->setContentsMargins(0, 0, 0, 0);
