@@ -227,7 +227,7 @@ strat::MatrixDrawing draw_matrix(Project& project, const DrawRequest& request, c
     if (!request.compared_with.empty()) keep_compared(project, request, drawn, options);
     progress.step("building the matrix");
     const auto matrix = strat::HarrisMatrix::build(drawn);
-    std::vector<strat::PreviousPosition> previous;
+    strat::PreviousDrawing previous;
     if (!request.keep_places.empty()) {
         if (request.engine == "graphviz") {
             throw Error(ErrorCode::Usage, "keep-places: only the engine planum keeps places");

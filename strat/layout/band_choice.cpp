@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "core/base/text.hpp"
@@ -80,6 +83,7 @@ class BandChooser {
     // Time of a phase or period for sorting: ranks first, then years, then the number.
     struct BandKey {
         std::array<std::int64_t, 4> time{};
+        bool has_time = false;
         std::string number;
         std::int32_t position = -1;
     };
@@ -89,6 +93,7 @@ class BandChooser {
         if (p < 0) return key;
         const model::Period& period = record_.periods[static_cast<std::size_t>(p)];
         key.time = {period.rank.value_or(0), period.from.value_or(period.to.value_or(0)), 0, 0};
+        key.has_time = period.rank || period.from || period.to;
         key.number = period.number;
         key.position = p;
         return key;
@@ -102,9 +107,71 @@ class BandChooser {
             period == record_.periods.end() ? -1 : static_cast<std::int32_t>(period - record_.periods.begin()));
         key.time[2] = phase.rank.value_or(0);
         key.time[3] = phase.from.value_or(phase.to.value_or(0));
+        key.has_time = key.has_time || phase.rank || phase.from || phase.to;
         key.number = phase.number;
         key.position = p;
         return key;
+    }
+
+    // Where the record does not say when all of them were, the orders between their units do: each band goes where the
+    // fewest orders run against the bands, dated ones counting for more than all orders together.
+    void sort_by_orders(std::vector<BandKey>& used, const std::vector<std::int32_t>& keys) const {
+        std::unordered_map<std::int32_t, std::size_t> place;
+        for (std::size_t i = 0; i < used.size(); ++i) place.emplace(used[i].position, i);
+        const std::size_t n = used.size();
+        std::vector<std::int64_t> above(n * n, 0); // how much speaks for the first above the second
+        const auto place_of = [&](std::uint32_t box) {
+            const auto at = place.find(shared_key(keys, graph_.boxes[box].units));
+            return at == place.end() ? n : at->second;
+        };
+        for (const GraphOrder& o : graph_.orders) {
+            const std::size_t later = place_of(o.later);
+            const std::size_t earlier = place_of(o.earlier);
+            if (later < n && earlier < n && later != earlier) ++above[later * n + earlier];
+        }
+        const auto dated = static_cast<std::int64_t>(graph_.orders.size()) + 1;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = 0; k < n; ++k) {
+                if (used[i].has_time && used[k].has_time && used[i].time > used[k].time) above[i * n + k] += dated;
+            }
+        }
+        std::vector<std::size_t> order(n);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (bool better = true; better;) { // each move lessens what speaks against, so this ends
+            better = false;
+            for (std::size_t from = 0; from < n; ++from) better = move_to_best(order, from, above) || better;
+        }
+        std::vector<BandKey> sorted;
+        for (const std::size_t i : order) sorted.push_back(used[i]);
+        used = std::move(sorted);
+    }
+
+    static bool move_to_best(std::vector<std::size_t>& order, std::size_t from,
+                             const std::vector<std::int64_t>& above) {
+        const std::size_t n = order.size();
+        const std::size_t band = order[from];
+        std::int64_t best = 0;
+        std::size_t to = from;
+        std::int64_t won = 0;
+        for (std::size_t k = from; k-- > 0;) { // upwards past order[k]
+            won += above[band * n + order[k]] - above[order[k] * n + band];
+            if (won > best) {
+                best = won;
+                to = k;
+            }
+        }
+        won = 0;
+        for (std::size_t k = from + 1; k < n; ++k) {
+            won += above[order[k] * n + band] - above[band * n + order[k]];
+            if (won > best) {
+                best = won;
+                to = k;
+            }
+        }
+        if (to == from) return false;
+        order.erase(order.begin() + static_cast<std::ptrdiff_t>(from));
+        order.insert(order.begin() + static_cast<std::ptrdiff_t>(to), band);
+        return true;
     }
 
     void make_bands(Bands bands, const std::vector<std::int32_t>& keys) {
@@ -120,6 +187,8 @@ class BandChooser {
             if (const auto order = text::natural_order(a.number, b.number); order != 0) return order > 0;
             return a.position < b.position;
         });
+        if (!std::all_of(used.begin(), used.end(), [](const BandKey& key) { return key.has_time; }))
+            sort_by_orders(used, keys);
         std::unordered_map<std::int32_t, std::int32_t> band_of;
         for (const BandKey& key : used) {
             band_of.emplace(key.position, static_cast<std::int32_t>(graph_.bands.size()));

@@ -190,7 +190,14 @@ class PageMaker {
             pen.y += kHeight + 8.0;
         }
         sample.box.rect = {pen.x, pen.y, kSample, kHeight};
-        sample.line.points = {{pen.x, pen.y + kHeight / 2.0}, {pen.x + kSample, pen.y + kHeight / 2.0}};
+        const double middle = pen.y + kHeight / 2.0;
+        sample.line.points = {{pen.x, middle}, {pen.x + kSample, middle}};
+        if (sample.line.upwards) { // with its head, so not level
+            const double bend = pen.x + kSample / 2.0;
+            sample.line.points = {
+                {pen.x, pen.y + kHeight}, {bend, pen.y + kHeight}, {bend, pen.y}, {pen.x + kSample, pen.y}};
+            sample.line.arrow = {bend, middle};
+        }
         add_text("legend", words, {pen.x + kSample + 6.0, pen.y + 9.8}, style::kTextSize, FontWeight::Regular);
         drawing_.legend.push_back(std::move(sample));
         right_ = std::max(right_, pen.x + width - 20.0);
@@ -321,13 +328,19 @@ void finish_page(MatrixDrawing& drawing, const DrawnGraph& graph, const TextMeas
     PageMaker(drawing, graph, text).make();
 }
 
-std::vector<PreviousPosition> positions_of(const MatrixDrawing& drawing) {
-    std::vector<PreviousPosition> positions;
+PreviousDrawing places_of(const MatrixDrawing& drawing) {
+    PreviousDrawing places;
     for (const DrawnBox& box : drawing.boxes) {
         if (box.isolated) continue;
-        for (const model::UnitId unit : box.units) positions.push_back({unit, box.rect.centre()});
+        for (const model::UnitId unit : box.units) places.units.push_back({unit, box.rect.centre()});
     }
-    return positions;
+    for (const DrawnLine& line : drawing.lines) {
+        const DrawnBox& later = drawing.boxes[line.later];
+        const DrawnBox& earlier = drawing.boxes[line.earlier];
+        if (!later.units.empty() && !earlier.units.empty())
+            places.lines.push_back({later.units.front(), earlier.units.front(), line.points});
+    }
+    return places;
 }
 
 } // namespace planum::strat

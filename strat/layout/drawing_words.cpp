@@ -15,7 +15,7 @@ DrawingWords german_words() {
     words.uncertain = "unsicher";
     words.through = "über nicht gezeichnete Einheiten";
     words.in_cycle = "in einem Kreis";
-    words.against_bands = "gegen die Phasen";
+    words.against_bands = "gegen die Streifen";
     words.isolated = "Ohne gezeichnete Ordnung ({})";
     words.untitled = "Harris-Matrix";
     words.one_unit = "1 Einheit";

@@ -24,7 +24,7 @@ struct DrawingWords {
     std::string uncertain = "uncertain";
     std::string through = "by way of units not drawn";
     std::string in_cycle = "in a cycle";
-    std::string against_bands = "against the phases";
+    std::string against_bands = "against the strips";
     std::string isolated = "No order drawn ({})"; ///< true of a part of the matrix, too; `{}`: how many boxes
     std::string untitled = "Harris matrix";       ///< heading where the site has no name
     std::string one_unit = "1 unit";              ///< in a folded box

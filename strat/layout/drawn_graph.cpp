@@ -196,7 +196,7 @@ class GraphMaker {
         graph_.orders.reserve(selection_.pairs.size());
         for (GraphBox& b : graph_.boxes) b.box.isolated = true;
         for (const Selection::Pair& pair : selection_.pairs) {
-            GraphOrder order{pair.later, pair.earlier, {}};
+            GraphOrder order{pair.later, pair.earlier, {}, {}};
             DrawnLine& line = order.line;
             line.later = pair.later;
             line.earlier = pair.earlier;
@@ -330,7 +330,7 @@ class GraphMaker {
 
     void place_previous() {
         std::unordered_map<model::UnitId, DrawPoint> before;
-        for (const PreviousPosition& p : request_.previous) before.emplace(p.unit, p.centre);
+        for (const PreviousPosition& p : request_.previous.units) before.emplace(p.unit, p.centre);
         if (before.empty()) return;
         for (GraphBox& b : graph_.boxes) {
             for (const model::UnitId unit : b.box.units) {
@@ -338,6 +338,17 @@ class GraphMaker {
                 if (at == before.end() || b.has_previous) continue;
                 b.has_previous = true;
                 b.previous = at->second;
+            }
+        }
+        std::map<std::pair<model::UnitId, model::UnitId>, const std::vector<DrawPoint>*> lines;
+        for (const PreviousLine& line : request_.previous.lines)
+            lines.emplace(std::pair(line.later, line.earlier), &line.points);
+        for (GraphOrder& o : graph_.orders) {
+            for (const model::UnitId later : graph_.boxes[o.later].box.units) {
+                for (const model::UnitId earlier : graph_.boxes[o.earlier].box.units) {
+                    const auto at = lines.find({later, earlier});
+                    if (at != lines.end() && o.previous.empty()) o.previous = *at->second;
+                }
             }
         }
     }

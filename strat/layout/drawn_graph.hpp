@@ -28,7 +28,8 @@ struct GraphBox {
 struct GraphOrder {
     std::uint32_t later = 0;
     std::uint32_t earlier = 0;
-    DrawnLine line; ///< everything but its points
+    DrawnLine line;                  ///< everything but its points
+    std::vector<DrawPoint> previous; ///< its points in the earlier drawing; empty: not there
 };
 
 struct GraphBand {

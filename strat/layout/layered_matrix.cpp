@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "strat/layout/coordinate_phase.hpp"
 #include "strat/layout/drawing_style.hpp"
@@ -256,7 +258,8 @@ class Layerer {
             g.layers[static_cast<std::size_t>(out_.nodes[component.nodes[i]].level)].push_back(i);
         }
         OrderOptions options;
-        options.keep_given = sort_as_before(component, g);
+        options.held = sort_as_before(component, index, g);
+        options.keep_given = !options.held.empty();
         order_layers(g, options, progress_);
         draw_in_upward_ends(g, index);
         draw_contemporaries_together(component, g);
@@ -308,9 +311,9 @@ class Layerer {
         return groups;
     }
 
-    // Begins where the earlier drawing left off: known boxes by their x, the others and the lines by the mean of
-    // their neighbours. True if at least half of the boxes were known.
-    bool sort_as_before(const Component& component, LayeredGraph& g) const {
+    // Begins where the earlier drawing left off: known boxes and lines by their x, the others by the mean of their
+    // neighbours. Says of each node whether it was known; of none where less than half of the boxes were.
+    std::vector<bool> sort_as_before(const Component& component, std::size_t index, LayeredGraph& g) const {
         std::vector<double> x(g.nodes, 0.0);
         std::vector<bool> known(g.nodes, false);
         std::size_t boxes = 0;
@@ -324,7 +327,18 @@ class Layerer {
             x[i] = graph_.boxes[box].previous.x;
             known[i] = true;
         }
-        if (boxes == 0 || remembered * 2 < boxes) return false;
+        if (boxes == 0 || remembered * 2 < boxes) return {};
+        const std::vector<double> heights = former_heights(component);
+        for (const std::uint32_t p : paths_of_[index]) {
+            const std::vector<DrawPoint>& line = graph_.orders[p].previous;
+            for (const std::uint32_t v : out_.paths[p].nodes) {
+                if (out_.nodes[v].box != kNoBox) continue;
+                const auto here = upright_at(line, heights[static_cast<std::size_t>(out_.nodes[v].level)]);
+                if (!here) continue;
+                x[local_[v]] = *here;
+                known[local_[v]] = true;
+            }
+        }
         std::vector<std::vector<std::uint32_t>> beside(g.nodes);
         for (const Edge& e : g.edges) {
             beside[e.first].push_back(e.second);
@@ -342,7 +356,40 @@ class Layerer {
         for (std::vector<std::uint32_t>& layer : g.layers) {
             std::stable_sort(layer.begin(), layer.end(), [&](std::uint32_t a, std::uint32_t b) { return x[a] < x[b]; });
         }
-        return true;
+        return known;
+    }
+
+    // Where the levels of a component were in the earlier drawing, by the boxes on them; what has none known lies
+    // between the levels beside it.
+    [[nodiscard]] std::vector<double> former_heights(const Component& component) const {
+        std::vector<std::vector<double>> on(static_cast<std::size_t>(component.levels));
+        for (const std::uint32_t v : component.nodes) {
+            const std::uint32_t box = out_.nodes[v].box;
+            if (box != kNoBox && graph_.boxes[box].has_previous)
+                on[static_cast<std::size_t>(out_.nodes[v].level)].push_back(graph_.boxes[box].previous.y);
+        }
+        std::vector<double> heights(on.size(), std::numeric_limits<double>::quiet_NaN());
+        std::optional<std::size_t> last;
+        for (std::size_t l = 0; l < on.size(); ++l) {
+            if (on[l].empty()) continue;
+            std::nth_element(on[l].begin(), on[l].begin() + std::ssize(on[l]) / 2, on[l].end());
+            heights[l] = on[l][on[l].size() / 2];
+            for (std::size_t between = last ? *last + 1 : l; between < l; ++between) {
+                const double share = static_cast<double>(between - *last) / static_cast<double>(l - *last);
+                heights[between] = heights[*last] + share * (heights[l] - heights[*last]);
+            }
+            last = l;
+        }
+        return heights;
+    }
+
+    // The x of the upright stroke of a line at that height; none where it has none.
+    static std::optional<double> upright_at(const std::vector<DrawPoint>& line, double y) {
+        for (std::size_t k = 1; k < line.size(); ++k) {
+            const auto [low, high] = std::minmax(line[k - 1].y, line[k].y);
+            if (line[k - 1].x == line[k].x && low <= y && y <= high) return line[k].x;
+        }
+        return std::nullopt;
     }
 
     // Neighbouring lines of one net that begin in the same node (seen from above) or end in the same node (from

@@ -57,10 +57,23 @@ struct DrawingOptions {
     std::string unit_link; ///< where a unit leads to, as `units/{unit}.html`, see unit_link_of(); empty: no links
 };
 
-/// Where a unit stood in an earlier drawing; engines move as little as they can.
+/// Where a unit stood in an earlier drawing.
 struct PreviousPosition {
     model::UnitId unit;
     DrawPoint centre;
+};
+
+/// How an order ran in it, named by one unit of either box.
+struct PreviousLine {
+    model::UnitId later;
+    model::UnitId earlier;
+    std::vector<DrawPoint> points; ///< from the later to the earlier
+};
+
+/// An earlier drawing, as far as a new one holds to it; engines move as little as they can.
+struct PreviousDrawing {
+    std::vector<PreviousPosition> units;
+    std::vector<PreviousLine> lines;
 };
 
 /// Record and matrix belong together; all three must outlive the call.
@@ -69,7 +82,7 @@ struct LayoutRequest {
     const HarrisMatrix& matrix;
     const TextMeasure& text;
     DrawingOptions options;
-    std::vector<PreviousPosition> previous;
+    PreviousDrawing previous;
 };
 
 /// Turns a matrix into geometry. Same request, same drawing.
@@ -84,7 +97,7 @@ class LayoutEngine {
     [[nodiscard]] virtual MatrixDrawing draw(const LayoutRequest& request, Progress& progress) const = 0;
 };
 
-/// Positions of an earlier drawing, for LayoutRequest::previous.
-[[nodiscard]] std::vector<PreviousPosition> positions_of(const MatrixDrawing& drawing);
+/// The places of an earlier drawing, for LayoutRequest::previous; isolated boxes are left out.
+[[nodiscard]] PreviousDrawing places_of(const MatrixDrawing& drawing);
 
 } // namespace planum::strat

@@ -438,6 +438,7 @@ class Orderer {
             bool better = false;
             for (std::size_t i = 0; i + 1 < layer.size(); ++i) {
                 if (!also_equal && (crossed_[row[i]] == 0 || crossed_[row[i + 1]] == 0)) continue;
+                if (is_held(layer[i]) && is_held(layer[i + 1])) continue;
                 const std::int64_t won = gain(ends, row[i], row[i + 1]);
                 if (won < 0 || (won == 0 && !(also_equal && round == 0))) continue;
                 std::swap(row[i], row[i + 1]);
@@ -450,6 +451,8 @@ class Orderer {
         if (any) number(l);
         return any;
     }
+
+    [[nodiscard]] bool is_held(std::uint32_t node) const { return !options_.held.empty() && options_.held[node]; }
 
     void sift_until_stuck() {
         constexpr int kRounds = 6;

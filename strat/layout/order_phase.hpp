@@ -24,6 +24,7 @@ struct LayeredGraph {
 struct OrderOptions {
     std::int64_t work = 0;   ///< about how many steps may be spent; 0: by the size of the graph
     bool keep_given = false; ///< begin with the given order and only better it where neighbours swap
+    std::vector<bool> held;  ///< by node: of these no two swap then; empty: none is held
 };
 
 /// Second phase: sorts each level so that few edges cross: barycentres and medians in sweeps, then

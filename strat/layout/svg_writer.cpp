@@ -249,8 +249,11 @@ class SvgWriter {
             if (sample.kind == LegendSample::Kind::Box) {
                 shape(sample.box);
             } else {
+                const StrokeStyle style = style_of(sample.line);
                 put("<path d=\"{}\" fill=\"none\" {}/>", path_data(sample.line.points, false),
-                    stroke_attributes(style_of(sample.line)));
+                    stroke_attributes(style));
+                const std::vector<DrawPoint> arrow = arrow_head(sample.line);
+                if (!arrow.empty()) put("<path d=\"{}\" fill=\"{}\"/>", path_data(arrow, true), hex(style.colour));
             }
             put("\n");
         }

@@ -12,7 +12,7 @@
 namespace planum::test {
 
 inline strat::MatrixDrawing drawing_of(const model::Record& record, const strat::DrawingOptions& options = {},
-                                       const std::vector<strat::PreviousPosition>& previous = {}) {
+                                       const strat::PreviousDrawing& previous = {}) {
     const strat::HarrisMatrix matrix = strat::HarrisMatrix::build(record);
     const strat::TableTextMeasure text;
     return strat::PlanumEngine().draw({record, matrix, text, options, previous}, Progress::none());

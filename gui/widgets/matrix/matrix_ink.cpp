@@ -265,7 +265,11 @@ void MatrixInk::paint(QPainter& painter, const QRectF& seen, double scale) const
         if (sample.kind == LegendSample::Kind::Box) {
             if (seen.intersects(rect(sample.box.rect))) paint_box(painter, sample.box, scale);
         } else {
-            paint_line(painter, sample.line, style_of(sample.line), scale);
+            const StrokeStyle style = style_of(sample.line);
+            paint_line(painter, sample.line, style, scale);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(theme().drawn(style.colour));
+            painter.drawPolygon(polygon(arrow_head(sample.line)));
         }
     }
     paint_words(painter, seen, scale);

@@ -65,7 +65,7 @@ double kept_share(const strat::MatrixDrawing& before, const strat::MatrixDrawing
 TEST_CASE("One unit added to seven hundred leaves nineteen of twenty others between their neighbours") {
     const model::Record record = test::a_trench({.units = 700, .seed = 5, .width = 78, .layer_reach = 8});
     const strat::MatrixDrawing before = test::drawing_of(record);
-    const std::vector<strat::PreviousPosition> places = strat::positions_of(before);
+    const strat::PreviousDrawing places = strat::places_of(before);
     const strat::HarrisMatrix matrix = strat::HarrisMatrix::build(record);
     double sum = 0.0;
     double worst = 1.0;

@@ -28,8 +28,10 @@ TEST_CASE("The places read back from an SVG are those of the drawing") {
     options.unit_link = "#{unit}";
     const strat::MatrixDrawing drawing = test::drawing_of(record, options);
     const test::TemporaryFolder folder;
-    auto read = app::former_places(folder.write("former.svg", strat::write_svg(drawing)), record);
-    auto real = strat::positions_of(drawing);
+    const auto former = app::former_places(folder.write("former.svg", strat::write_svg(drawing)), record);
+    const auto drawn = strat::places_of(drawing);
+    auto read = former.units;
+    auto real = drawn.units;
     REQUIRE(read.size() == real.size());
     REQUIRE(read.size() == 5);
     std::sort(read.begin(), read.end(), earlier);
@@ -38,6 +40,17 @@ TEST_CASE("The places read back from an SVG are those of the drawing") {
         CHECK(read[i].unit == real[i].unit);
         CHECK(read[i].centre.x == Approx(real[i].centre.x).margin(0.011));
         CHECK(read[i].centre.y == Approx(real[i].centre.y).margin(0.011));
+    }
+    REQUIRE(former.lines.size() == drawn.lines.size());
+    REQUIRE(former.lines.size() == 3);
+    for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
+        CHECK(former.lines[i].later == drawn.lines[i].later);
+        CHECK(former.lines[i].earlier == drawn.lines[i].earlier);
+        REQUIRE(former.lines[i].points.size() == drawn.lines[i].points.size());
+        for (std::size_t k = 0; k < drawn.lines[i].points.size(); ++k) {
+            CHECK(former.lines[i].points[k].x == Approx(drawn.lines[i].points[k].x).margin(0.011));
+            CHECK(former.lines[i].points[k].y == Approx(drawn.lines[i].points[k].y).margin(0.011));
+        }
     }
 }
 
@@ -60,7 +73,7 @@ TEST_CASE("By an SVG as by the drawing itself, the units keep their places when 
     const test::TemporaryFolder folder;
     const auto places = app::former_places(folder.write("former.svg", strat::write_svg(first)), after);
     CHECK(strat::write_svg(test::drawing_of(after, {}, places)) ==
-          strat::write_svg(test::drawing_of(after, {}, strat::positions_of(first))));
+          strat::write_svg(test::drawing_of(after, {}, strat::places_of(first))));
 }
 
 TEST_CASE("What is no drawing of these units is refused") {

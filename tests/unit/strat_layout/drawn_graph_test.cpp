@@ -162,6 +162,36 @@ TEST_CASE("Bands run from the latest phase to the earliest, unasked where most u
     CHECK(graph.boxes[5].band == 1);
 }
 
+TEST_CASE("Bands whose phases say nothing of their time stand as the orders between their units do") {
+    auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4");
+    builder.phase("1", "modern", 0).phase("2", "medieval", 3).phase("3", "roman", 2).phase("4", "bronze age", 1);
+    DrawingOptions options;
+    options.bands = Bands::Phases;
+    const auto headings = [&](const model::Record& record) {
+        std::vector<std::string> all;
+        for (const GraphBand& band : graph_of(record, options).bands) all.push_back(band.heading);
+        return all;
+    };
+    const std::vector<std::string> expected{"modern", "medieval", "roman", "bronze age"};
+    model::Record record = builder.record();
+    for (model::Phase& phase : record.phases) {
+        if (phase.number == "modern") phase.rank.reset();
+    }
+    CHECK(headings(record) == expected);
+    for (model::Phase& phase : record.phases) phase.rank.reset();
+    CHECK(headings(record) == expected);
+    // One order against what is dated does not turn it round.
+    model::Record dated =
+        a_matrix().above("1", "2").above("3", "4").phase("1", "old", 1).phase("2", "young", 2).record();
+    dated.phases.push_back({});
+    dated.phases.back().id = {SeededUuids{77}.next()};
+    dated.phases.back().number = "undated";
+    dated.units[2].phase = dated.phases.back().id;
+    const auto found = headings(dated);
+    REQUIRE(found.size() == 3);
+    CHECK(std::find(found.begin(), found.end(), "young") < std::find(found.begin(), found.end(), "old"));
+}
+
 TEST_CASE("Phases for every unit or two are no bands unless asked for") {
     auto builder = a_matrix().above("1", "2").above("2", "3").above("3", "4").above("4", "5");
     builder.phase("1", "e", 5).phase("2", "d", 4).phase("3", "c", 3).phase("4", "b", 2).phase("5", "a", 1);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "strat/layout/drawing_colours.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/drawing_laws.hpp"
 #include "tests/support/drawn_boxes.hpp"
@@ -141,6 +142,17 @@ TEST_CASE("An order against the phases is drawn upwards, not left out") {
     const MatrixDrawing drawing = drawing_of(record, options);
     CHECK(broken_law(record, drawing).empty());
     CHECK(std::count_if(drawing.lines.begin(), drawing.lines.end(), [](const DrawnLine& l) { return l.upwards; }) == 1);
+    // The key shows it with its head, which stands on its line and nowhere else.
+    const auto sample = std::find_if(drawing.legend.begin(), drawing.legend.end(),
+                                     [](const LegendSample& s) { return s.line.upwards; });
+    REQUIRE(sample != drawing.legend.end());
+    const auto [low, high] = std::minmax_element(sample->line.points.begin(), sample->line.points.end(),
+                                                 [](const DrawPoint& a, const DrawPoint& b) { return a.x < b.x; });
+    for (const DrawPoint& p : arrow_head(sample->line)) {
+        CHECK(p.x > low->x);
+        CHECK(p.x < high->x);
+        CHECK(p.y > sample->line.points.front().y - 20.0);
+    }
 }
 
 TEST_CASE("A fill stands right above its cut, however long the way below it is") {
