@@ -135,8 +135,7 @@ class BandChooser {
                 if (used[i].has_time && used[k].has_time && used[i].time > used[k].time) above[i * n + k] += dated;
             }
         }
-        std::vector<std::size_t> order(n);
-        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::vector<std::size_t> order = from_the_top(above, n);
         for (bool better = true; better;) { // each move lessens what speaks against, so this ends
             better = false;
             for (std::size_t from = 0; from < n; ++from) better = move_to_best(order, from, above) || better;
@@ -144,6 +143,25 @@ class BandChooser {
         std::vector<BandKey> sorted;
         for (const std::size_t i : order) sorted.push_back(used[i]);
         used = std::move(sorted);
+    }
+
+    // Next comes what the least is above of, of what is left: no order runs against the bands if that can be.
+    static std::vector<std::size_t> from_the_top(const std::vector<std::int64_t>& above, std::size_t n) {
+        std::vector<std::size_t> left(n);
+        std::iota(left.begin(), left.end(), std::size_t{0});
+        std::vector<std::size_t> order;
+        while (!left.empty()) {
+            const auto weight = [&](std::size_t band) {
+                std::int64_t sum = 0;
+                for (const std::size_t other : left) sum += above[other * n + band];
+                return sum;
+            };
+            const auto next = std::min_element(left.begin(), left.end(),
+                                               [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
+            order.push_back(*next);
+            left.erase(next);
+        }
+        return order;
     }
 
     static bool move_to_best(std::vector<std::size_t>& order, std::size_t from,

@@ -180,6 +180,12 @@ TEST_CASE("Bands whose phases say nothing of their time stand as the orders betw
     CHECK(headings(record) == expected);
     for (model::Phase& phase : record.phases) phase.rank.reset();
     CHECK(headings(record) == expected);
+    // Two sequences that one order joins: no single strip can be moved to the better.
+    auto joined = a_matrix().above("1", "2").above("2", "3").above("4", "5").above("5", "6").above("6", "1");
+    for (int i = 1; i <= 6; ++i) joined.phase(std::to_string(i), std::string(1, static_cast<char>('g' - i)), 0);
+    model::Record two = joined.record();
+    for (model::Phase& phase : two.phases) phase.rank.reset();
+    CHECK(headings(two) == std::vector<std::string>{"c", "b", "a", "f", "e", "d"});
     // One order against what is dated does not turn it round.
     model::Record dated =
         a_matrix().above("1", "2").above("3", "4").phase("1", "old", 1).phase("2", "young", 2).record();
