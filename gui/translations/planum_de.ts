@@ -608,6 +608,10 @@
         <source>Levels, finds, papers</source>
         <translation>Höhen, Funde, Unterlagen</translation>
     </message>
+    <message>
+        <source>%1: not saved yet</source>
+        <translation>%1: noch nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ContentsPanel</name>
@@ -1136,6 +1140,28 @@
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>saving …</source>
+        <translation>wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>These fields could not be saved, and are lost when the window closes:
+%1</source>
+        <translation>Diese Felder ließen sich nicht speichern und gehen verloren, wenn das Fenster schließt:
+%1</translation>
+    </message>
+    <message>
+        <source>Close all the same</source>
+        <translation>Trotzdem schließen</translation>
+    </message>
+    <message>
+        <source>Keep the window open</source>
+        <translation>Fenster offen lassen</translation>
     </message>
 </context>
 <context>

@@ -608,6 +608,10 @@
         <source>Levels, finds, papers</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: not saved yet</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::ContentsPanel</name>
@@ -1135,6 +1139,27 @@
     </message>
     <message>
         <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saving …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These fields could not be saved, and are lost when the window closes:
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the window open</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

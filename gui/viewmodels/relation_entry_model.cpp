@@ -156,26 +156,35 @@ bool RelationEntryModel::commit() {
     const std::string object = object_.trimmed().toStdString();
     const std::string written = subject + " " + relation_word(*kind).toStdString() + " " + object;
     const auto certainty = uncertain_ ? model::Certainty::Uncertain : model::Certainty::Certain;
-    workspace_.edit(tr("Add relation %1").arg(qt(written)),
-                    [subject, object, written, kind, certainty](app::Project& project, Progress&) {
-                        for (const std::string& number : {subject, object}) {
-                            if (!project.index().named(number).empty()) continue;
-                            model::StratigraphicUnit unit;
-                            unit.number = number;
-                            unit.origin = model::UnitOrigin::Mentioned;
-                            project.change("Add unit " + number, [&] { project.file().insert(unit); });
-                        }
-                        app::RelationEntry entry;
-                        entry.said = app::said_relation(project.record(), project.unit_named(subject), *kind,
-                                                        project.unit_named(object));
-                        entry.certainty = certainty;
-                        app::add_relation(project, entry, written);
-                    });
+    workspace_.edit(
+        tr("Add relation %1").arg(qt(written)),
+        [subject, object, written, kind, certainty](app::Project& project, Progress&) {
+            for (const std::string& number : {subject, object}) {
+                if (!project.index().named(number).empty()) continue;
+                model::StratigraphicUnit unit;
+                unit.number = number;
+                unit.origin = model::UnitOrigin::Mentioned;
+                project.change("Add unit " + number, [&] { project.file().insert(unit); });
+            }
+            app::RelationEntry entry;
+            entry.said =
+                app::said_relation(project.record(), project.unit_named(subject), *kind, project.unit_named(object));
+            entry.certainty = certainty;
+            app::add_relation(project, entry, written);
+        },
+        [this, written] { emit committed(qt(written)); }, Job::Kind::Quiet,
+        [this, was = std::array{subject_, kind_, object_}, uncertain = uncertain_](const QString&) {
+            if (!kind_.isEmpty() || !object_.isEmpty()) return; // the next one is being typed
+            subject_ = was[0];
+            kind_ = was[1];
+            object_ = was[2];
+            uncertain_ = uncertain;
+            judge();
+        });
     kind_.clear();
     object_.clear();
     uncertain_ = false;
     judge();
-    emit committed(qt(written));
     return true;
 }
 

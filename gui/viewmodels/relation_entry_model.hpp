@@ -44,7 +44,8 @@ class RelationEntryModel : public QObject {
     [[nodiscard]] QStringList completions(Part part) const;
 
     /// Adds the relation (and, where a number has no unit yet, the unit as one only mentioned). Keeps the first number
-    /// and forgets the rest, ready for the next one. False when there is nothing ready.
+    /// and forgets the rest, ready for the next one; where it cannot be saved, it comes back. False when there is
+    /// nothing ready.
     bool commit();
 
     /// Shows the cycle that was warned of in all views.
@@ -55,7 +56,7 @@ class RelationEntryModel : public QObject {
 
   signals:
     void judged();
-    /// The fields were emptied for the next relation.
+    /// It is in the file.
     void committed(const QString& sentence);
 
   private:

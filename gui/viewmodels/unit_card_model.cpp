@@ -24,12 +24,20 @@ QString joined(std::initializer_list<std::string_view> parts) {
     return words.join(QStringLiteral(", "));
 }
 
+constexpr int kTryAgain = 4000; // [ms] after what could not be saved
+
 } // namespace
 
 UnitCardModel::UnitCardModel(Workspace& workspace, QObject* parent) : QObject(parent), workspace_(workspace) {
     connect(&workspace_, &Workspace::snapshotChanged, this, &UnitCardModel::refresh);
     connect(&workspace_, &Workspace::selectionChanged, this, &UnitCardModel::refresh);
-    connect(&workspace_, &Workspace::closed, this, &UnitCardModel::refresh);
+    connect(&workspace_, &Workspace::closed, this, [this] {
+        typed_.clear();
+        refresh();
+    });
+    again_.setSingleShot(true);
+    again_.setInterval(kTryAgain);
+    connect(&again_, &QTimer::timeout, this, &UnitCardModel::try_again);
 }
 
 void UnitCardModel::refresh() {
@@ -46,6 +54,12 @@ void UnitCardModel::refresh() {
         unit_ = workspace_.selected();
         name_ = qt(snapshot->index().name(at));
         fields_ = card_fields(*snapshot, at);
+        for (CardField& field : fields_) {
+            const Typed* typed = typed_in(unit_, field.name);
+            if (typed == nullptr) continue;
+            field.value = typed->shown;
+            field.unsaved = typed->failed;
+        }
         fill_relations(at);
         fill_lines();
         fill_papers();
@@ -126,17 +140,59 @@ void UnitCardModel::fill_papers() {
 
 void UnitCardModel::set_field(const std::string& name, const QString& value) {
     const auto it = std::find_if(fields_.begin(), fields_.end(), [&](const CardField& f) { return f.name == name; });
-    if (it == fields_.end() || it->value == value) return;
+    if (it == fields_.end() || it->value == value || !workspace_.read_only_because().isEmpty()) return;
     QString stored = value;
     const auto choice = it->choices.indexOf(value);
     if (choice >= 0) stored = it->stored[choice];
-    const std::string unit = name_.toStdString();
     app::FieldValues values = {{name, stored.toStdString()}};
     // A kind without a form of its own takes the old form away.
     if (name == "kind" && !model::from_word<model::UnitForm>(stored.toStdString())) values.emplace_back("form", "");
-    workspace_.edit(tr("Change unit %1").arg(name_), [unit, values](app::Project& project, Progress&) {
-        app::record_kind("unit").set(project, unit, values);
-    });
+    Typed* known = typed_in(unit_, name);
+    if (known == nullptr) known = &typed_.emplace_back();
+    *known = {unit_, name_, name, it->label, value, std::move(values), false};
+    it->value = value;
+    save(*known);
+}
+
+void UnitCardModel::save(const Typed& typed) {
+    const auto ended = [this, unit = typed.unit, field = typed.field, shown = typed.shown](bool failed) {
+        Typed* now = typed_in(unit, field);
+        if (now == nullptr || now->shown != shown) return; // typed again meanwhile
+        if (failed) {
+            now->failed = true;
+            again_.start();
+        } else {
+            typed_.erase(typed_.begin() + (now - typed_.data()));
+        }
+        refresh();
+    };
+    workspace_.edit(
+        tr("Change unit %1").arg(typed.unit_name),
+        [unit = typed.unit_name.toStdString(), values = typed.values](app::Project& project, Progress&) {
+            app::record_kind("unit").set(project, unit, values);
+        },
+        [ended] { ended(false); }, Job::Kind::Quiet, [ended](const QString&) { ended(true); });
+}
+
+void UnitCardModel::try_again() {
+    const std::vector<Typed> all = typed_; // the original changes as they are saved
+    for (const Typed& typed : all) {
+        if (!typed.failed) continue;
+        typed_in(typed.unit, typed.field)->failed = false;
+        save(typed);
+    }
+}
+
+UnitCardModel::Typed* UnitCardModel::typed_in(model::UnitId unit, const std::string& field) {
+    const auto it =
+        std::find_if(typed_.begin(), typed_.end(), [&](const Typed& t) { return t.unit == unit && t.field == field; });
+    return it == typed_.end() ? nullptr : &*it;
+}
+
+QStringList UnitCardModel::unsaved() const {
+    QStringList all;
+    for (const Typed& typed : typed_) all << typed.unit_name + QStringLiteral(": ") + typed.label;
+    return all;
 }
 
 QString UnitCardModel::next_number() const {

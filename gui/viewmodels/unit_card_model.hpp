@@ -4,10 +4,12 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 
 #include <string>
 #include <vector>
 
+#include "app/records/record_kind.hpp"
 #include "gui/viewmodels/workspace.hpp"
 
 namespace planum::gui {
@@ -22,6 +24,7 @@ struct CardField {
     QStringList choices;
     QStringList stored;
     bool is_long = false; ///< more than one line
+    bool unsaved = false; ///< the value could not be saved and stands here only
 };
 
 /// One relation as it reads from the unit's own sheet.
@@ -76,8 +79,12 @@ class UnitCardModel : public QObject {
     /// Log of the unit, newest first; comes some milliseconds after the rest (historyChanged).
     [[nodiscard]] const QStringList& history() const noexcept { return history_; }
 
-    /// One change of one field, saved at once. Nothing happens when the value is as it was.
+    /// One change of one field, saved at once. Nothing happens when the value is as it was. What cannot be saved (a
+    /// full disk, another program that holds the file) stays in the card and is tried again every few seconds.
     void set_field(const std::string& field, const QString& value);
+
+    /// What stands in cards only because it could not be saved: `1011: Description`.
+    [[nodiscard]] QStringList unsaved() const;
     /// Adds a unit and selects it. An empty number takes the next free one.
     void add_unit(const QString& number);
     void delete_unit();
@@ -93,6 +100,21 @@ class UnitCardModel : public QObject {
 
   private:
     void refresh();
+
+    /// A field on its way into the file, or held back by what went wrong.
+    struct Typed {
+        model::UnitId unit;
+        QString unit_name;
+        std::string field;
+        QString label;
+        QString shown;
+        app::FieldValues values;
+        bool failed = false;
+    };
+
+    void save(const Typed& typed);
+    void try_again();
+    [[nodiscard]] Typed* typed_in(model::UnitId unit, const std::string& field);
     void fill_relations(model::UnitIndex unit);
     void fill_lines();
     void fill_papers();
@@ -105,6 +127,8 @@ class UnitCardModel : public QObject {
     std::vector<CardLine> lines_;
     std::vector<CardPicture> pictures_;
     QStringList history_;
+    std::vector<Typed> typed_;
+    QTimer again_;
 };
 
 /// Every field of a unit as the card shows it, first screen first.

@@ -147,13 +147,22 @@ bool Workspace::may_write() {
     return read_only_because_.isEmpty();
 }
 
-void Workspace::edit(const QString& title, Edit work, std::function<void()> done, Job::Kind kind) {
+bool Workspace::is_saving() const {
+    return std::any_of(saving_.begin(), saving_.end(), [](const auto& edit) { return !edit.expired(); });
+}
+
+void Workspace::edit(const QString& title, Edit work, std::function<void()> done, Job::Kind kind,
+                     JobRunner::Failed failed_too) {
     if (!may_write()) return;
-    auto in_thread = [this, holder = holder_, path = file_, session = session_, work = std::move(work),
+    std::erase_if(saving_, [](const auto& edit) { return edit.expired(); });
+    auto saving = std::make_shared<bool>(true);
+    if (kind == Job::Kind::Quiet) saving_.push_back(saving);
+    auto in_thread = [this, saving, holder = holder_, path = file_, session = session_, work = std::move(work),
                       done = std::move(done)](Progress& progress) -> JobRunner::Done {
         // What another program wrote a moment ago is not seen yet: a record changed as it was read before would take
         // it back.
-        if (stamp_of(path) != holder->seen) holder->project.emplace(app::Project::open(path, holder->mode, session));
+        if (!holder->project || stamp_of(path) != holder->seen)
+            holder->project.emplace(app::Project::open(path, holder->mode, session));
         work(*holder->project, progress);
         holder->note_time();
         return [this, holder, done, snapshot = app::take_snapshot(*holder->project)]() mutable {
@@ -163,7 +172,10 @@ void Workspace::edit(const QString& title, Edit work, std::function<void()> done
         };
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, title, kind, std::move(in_thread),
-                [this](const QString& sentence) { emit failed(sentence); });
+                [this, holder = holder_, failed_too = std::move(failed_too)](const QString& sentence) {
+                    emit failed(sentence);
+                    if (failed_too && holder == holder_) failed_too(sentence);
+                });
 }
 
 void Workspace::work(const QString& title, Edit work, std::function<void()> done) {

@@ -59,8 +59,13 @@ class Workspace : public QObject {
 
     [[nodiscard]] JobRunner& jobs() noexcept { return jobs_; }
 
-    /// Runs in the thread that holds the file. `done` runs here afterwards, with the new snapshot in place.
-    void edit(const QString& title, Edit work, std::function<void()> done = {}, Job::Kind kind = Job::Kind::Quiet);
+    /// Runs in the thread that holds the file. `done` runs here afterwards, with the new snapshot in place; `failed`
+    /// here too, besides what failed() says.
+    void edit(const QString& title, Edit work, std::function<void()> done = {}, Job::Kind kind = Job::Kind::Quiet,
+              JobRunner::Failed failed = {});
+
+    /// Quiet edits wait or run: what somebody did is not in the file yet.
+    [[nodiscard]] bool is_saving() const;
     /// Runs beside it, on a connection of its own. Of one lane only the newest reading counts.
     void read(const QString& lane, const QString& title, Reading work, JobRunner::Failed failed = {},
               Job::Kind kind = Job::Kind::Quiet);
@@ -113,6 +118,7 @@ class Workspace : public QObject {
     SnapshotPtr snapshot_;
     model::UnitId selected_;
     Proof proof_;
+    std::vector<std::weak_ptr<bool>> saving_; ///< gone with the edit
     QFileSystemWatcher* watcher_ = nullptr;
     QTimer* look_soon_ = nullptr;
     JobRunner jobs_; ///< last: its threads end before what they use goes

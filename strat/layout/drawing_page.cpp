@@ -239,7 +239,8 @@ class PageMaker {
         for (const Mark mark : {Mark::Added, Mark::Removed, Mark::Changed, Mark::Problem}) {
             sample = {};
             sample.box.mark = mark;
-            if (any([&](const DrawnBox& b) { return b.mark == mark; }))
+            // A box in a cycle is red, also where it is a problem.
+            if (any([&](const DrawnBox& b) { return b.mark == mark && (mark != Mark::Problem || !b.in_cycle); }))
                 legend_entry(sample, graph_.words.marks.at(static_cast<std::size_t>(mark)), pen);
         }
     }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "gui/viewmodels/models.hpp"
@@ -38,14 +39,46 @@ class LongText : public QPlainTextEdit {
     }
 
   protected:
+    // Only what somebody typed: a text that is merely left must not take back what another program wrote meanwhile.
     void focusOutEvent(QFocusEvent* event) override {
         QPlainTextEdit::focusOutEvent(event);
+        if (signalsBlocked() || !document()->isModified()) return;
+        document()->setModified(false);
         save_(toPlainText());
     }
 
   private:
     std::function<void(const QString&)> save_;
 };
+
+/// What somebody is typing while the form is made anew under the cursor.
+struct HalfTyped {
+    QString object;
+    QString text;
+    int cursor = 0;
+};
+
+std::optional<HalfTyped> half_typed(QWidget* editor) {
+    if (const auto* text = qobject_cast<QPlainTextEdit*>(editor); text != nullptr && text->document()->isModified())
+        return HalfTyped{text->objectName(), text->toPlainText(), text->textCursor().position()};
+    if (const auto* line = qobject_cast<QLineEdit*>(editor); line != nullptr && line->isModified())
+        return HalfTyped{line->objectName(), line->text(), line->cursorPosition()};
+    return std::nullopt;
+}
+
+void go_on_typing(QWidget* editor, const HalfTyped& typed) {
+    if (auto* text = qobject_cast<QPlainTextEdit*>(editor)) {
+        text->setPlainText(typed.text);
+        text->document()->setModified(true);
+        QTextCursor cursor = text->textCursor();
+        cursor.setPosition(typed.cursor);
+        text->setTextCursor(cursor);
+    } else if (auto* line = qobject_cast<QLineEdit*>(editor)) {
+        line->setText(typed.text);
+        line->setModified(true);
+        line->setCursorPosition(typed.cursor);
+    }
+}
 
 void empty(QWidget* holder) {
     if (holder->layout() == nullptr) return;
@@ -205,11 +238,14 @@ QWidget* CardPanel::editor_of(const CardField& field) {
 void CardPanel::show_fields() {
     if (models_.card.unit().is_nil()) return;
     std::string shown = models_.card.name().toStdString() + (full_ ? "+" : "-");
-    for (const CardField& field : models_.card.fields()) shown += field.value.toStdString() + '\n';
+    for (const CardField& field : models_.card.fields())
+        shown += field.value.toStdString() + (field.unsaved ? "!\n" : "\n");
     if (shown == shown_) return;
+    const bool same_unit = std::exchange(shown_unit_, models_.card.unit()) == models_.card.unit();
     shown_ = std::move(shown);
     // A field that is being left says so once more while it goes; who has the cursor keeps it.
     const QString focused = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
+    const std::optional<HalfTyped> typed = same_unit ? half_typed(focusWidget()) : std::nullopt;
     auto* old = fields_;
     fields_ = new QWidget;
     auto* form = new QFormLayout(fields_);
@@ -222,7 +258,8 @@ void CardPanel::show_fields() {
         if (!field.block.isEmpty() && !full_) break;
         if (field.block != block) form->addRow(label(field.block, "heading"));
         block = field.block;
-        auto* name = label(field.label, "faint");
+        auto* name =
+            field.unsaved ? label(tr("%1: not saved yet").arg(field.label), "warning") : label(field.label, "faint");
         QWidget* editor = editor_of(field);
         name->setBuddy(editor);
         if (field.is_long) {
@@ -238,7 +275,10 @@ void CardPanel::show_fields() {
     old->hide();
     old->deleteLater();
     if (focused.isEmpty()) return;
-    if (auto* again = fields_->findChild<QWidget*>(focused)) again->setFocus();
+    auto* again = fields_->findChild<QWidget*>(focused);
+    if (again == nullptr) return;
+    if (typed && typed->object == focused) go_on_typing(again, *typed);
+    again->setFocus();
 }
 
 void CardPanel::show_relations() {

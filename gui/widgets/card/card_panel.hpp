@@ -4,6 +4,8 @@
 #include <QWidget>
 
 #include <string>
+
+#include "core/model/ids.hpp"
 #include <vector>
 
 class QLabel;
@@ -51,6 +53,7 @@ class CardPanel : public QWidget {
     QLabel* nothing_;
     bool full_ = false;
     std::string shown_; ///< what the fields show, so that they are not rebuilt under somebody's hands
+    model::UnitId shown_unit_;
 };
 
 } // namespace planum::gui

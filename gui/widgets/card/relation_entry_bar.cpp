@@ -39,6 +39,7 @@ RelationEntryBar::RelationEntryBar(Models& models)
         completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion); // the model has chosen already
         completer->setCaseSensitivity(Qt::CaseInsensitive);
         field->setCompleter(completer);
+        completer->popup()->installEventFilter(this); // before the completer's own: real keys go to the open list
         connect(field, &QLineEdit::textEdited, this, [this, i](const QString& text) { typed(i, text); });
         connect(completer, qOverload<const QString&>(&QCompleter::activated), this,
                 [this, i](const QString& text) { models_.entry.set(static_cast<Part>(i), text); });
@@ -111,13 +112,28 @@ void RelationEntryBar::go_on(int field) {
 }
 
 bool RelationEntryBar::eventFilter(QObject* watched, QEvent* event) {
+    // An entry in which nothing was typed leaves Ctrl+Z to the record.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* line = qobject_cast<QLineEdit*>(watched);
+        if (line == nullptr || line->isModified() || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
+            return QWidget::eventFilter(watched, event);
+        event->ignore();
+        return true;
+    }
     if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() != Qt::Key_Return && key->key() != Qt::Key_Enter) return QWidget::eventFilter(watched, event);
     for (int i = 0; i < 3; ++i) {
         QLineEdit* field = fields_[static_cast<std::size_t>(i)];
-        if (watched != field) continue;
-        if (field->completer()->popup()->isVisible()) field->completer()->popup()->hide();
+        QAbstractItemView* list = field->completer()->popup();
+        if (watched != field && watched != list) continue;
+        // What the arrows went to in the list is meant; else what was typed.
+        const QModelIndex chosen = list->isVisible() ? list->currentIndex() : QModelIndex();
+        list->hide();
+        if (chosen.isValid()) {
+            field->setText(chosen.data().toString());
+            typed(i, field->text());
+        }
         go_on(i);
         return true;
     }

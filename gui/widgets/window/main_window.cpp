@@ -10,9 +10,12 @@
 #include <QKeySequence>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -31,6 +34,8 @@
 namespace planum::gui {
 
 namespace {
+
+constexpr int kLookAgain = 50; // [ms] while the window waits for the last edit before it closes
 
 Qt::DockWidgetArea area_of(Place place) {
     switch (place) {
@@ -152,7 +157,10 @@ void MainWindow::make_actions() {
     connect(open_it, &QAction::triggered, this, [this] { ask_for_project(store::OpenMode::ReadWrite); });
     connect(look, &QAction::triggered, this, [this] { ask_for_project(store::OpenMode::ReadOnly); });
     connect(quit, &QAction::triggered, this, &QWidget::close);
-    connect(undo_, &QAction::triggered, &models_.workspace, &Workspace::undo);
+    connect(undo_, &QAction::triggered, this, [this] {
+        leave_field(); // what is being typed is the last thing that was done
+        models_.workspace.undo();
+    });
     connect(redo_, &QAction::triggered, &models_.workspace, &Workspace::redo);
     connect(find, &QAction::triggered, this, [this] { show_view("units"); });
     connect(relate, &QAction::triggered, this,
@@ -270,10 +278,34 @@ void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
 }
 
-// Everything is saved already; what runs is stopped and leaves the project as it was.
+void MainWindow::leave_field() {
+    if (QWidget* field = focusWidget()) field->clearFocus();
+}
+
+// What somebody did a moment ago is saved first; what could not be is asked about. Long jobs are stopped and leave the
+// project as it was.
 void MainWindow::closeEvent(QCloseEvent* event) {
+    leave_field();
+    if (models_.workspace.is_saving()) {
+        statusBar()->showMessage(tr("saving …"));
+        QTimer::singleShot(kLookAgain, this, &QWidget::close);
+        return event->ignore();
+    }
+    const QStringList unsaved = models_.card.unsaved();
+    if (!unsaved.isEmpty() && !close_anyway_(this, unsaved)) return event->ignore();
     models_.workspace.jobs().cancel_all();
     event->accept();
+}
+
+bool MainWindow::ask_to_close(QWidget* parent, const QStringList& unsaved) {
+    QMessageBox box(QMessageBox::Warning, tr("Not saved"),
+                    tr("These fields could not be saved, and are lost when the window closes:\n%1")
+                        .arg(unsaved.join(QLatin1Char('\n'))),
+                    QMessageBox::NoButton, parent);
+    const QPushButton* lose = box.addButton(tr("Close all the same"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(box.addButton(tr("Keep the window open"), QMessageBox::RejectRole));
+    box.exec();
+    return box.clickedButton() == lose;
 }
 
 } // namespace planum::gui

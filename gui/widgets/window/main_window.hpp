@@ -4,8 +4,10 @@
 #include <QMainWindow>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "app/project/project.hpp"
 #include "gui/viewmodels/models.hpp"
@@ -43,12 +45,19 @@ class MainWindow : public QMainWindow {
 
     [[nodiscard]] ProjectMenu& project_menu() noexcept { return *project_menu_; }
 
+    /// Asks whether to close although these fields are not saved; tests answer by themselves.
+    using AskToClose = std::function<bool(QWidget* parent, const QStringList& unsaved)>;
+
+    void ask_to_close_with(AskToClose ask) { close_anyway_ = std::move(ask); }
+
   protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
   private:
+    static bool ask_to_close(QWidget* parent, const QStringList& unsaved);
+    void leave_field();
     void make_views();
     void make_actions();
     void make_status();
@@ -68,6 +77,7 @@ class MainWindow : public QMainWindow {
     QAction* redo_ = nullptr;
     QLabel* state_;
     QLabel* problems_;
+    AskToClose close_anyway_ = &MainWindow::ask_to_close;
 };
 
 } // namespace planum::gui

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
@@ -189,4 +190,54 @@ TEST_CASE("A window that closes while the surfaces are compared ends at once") {
     }
     app::Project project = app::Project::open(folder / "site.gpkg", store::OpenMode::ReadOnly, {"Bob"});
     CHECK(project.file().verify(Progress::none()).empty());
+}
+
+TEST_CASE("What cannot be saved stays in the card and the entry, and is saved when the file is back") {
+    const test::GuiProject site;
+    Models models{app::Session{"Ada"}};
+    Workspace& workspace = models.workspace;
+    workspace.open(site.file, store::OpenMode::ReadWrite);
+    settle(workspace);
+    int recorded = 0;
+    QObject::connect(&models.entry, &RelationEntryModel::committed, [&](const QString&) { ++recorded; });
+    const auto enter = [&] {
+        models.entry.set(RelationEntryModel::Part::Subject, QStringLiteral("1"));
+        models.entry.set(RelationEntryModel::Part::Kind, QStringLiteral("covers"));
+        models.entry.set(RelationEntryModel::Part::Object, QStringLiteral("3"));
+        REQUIRE(models.entry.commit());
+        settle(workspace);
+    };
+    const auto& units = workspace.snapshot()->record().units;
+    workspace.select(std::find_if(units.begin(), units.end(), [](const auto& one) { return one.number == "3"; })->id);
+    const std::filesystem::path elsewhere = site.folder / "elsewhere.gpkg";
+    std::filesystem::rename(site.file, elsewhere);
+    models.card.set_field("title", QStringLiteral("typed in the rain"));
+    settle(workspace);
+    enter();
+    CHECK(recorded == 0);
+    CHECK(models.entry.text(RelationEntryModel::Part::Object) == QStringLiteral("3"));
+    REQUIRE(models.card.unsaved().size() == 1);
+    CHECK(models.card.unsaved().front().startsWith(QStringLiteral("3: ")));
+    const auto title = [&] {
+        const auto& fields = models.card.fields();
+        return *std::find_if(fields.begin(), fields.end(), [](const CardField& f) { return f.name == "title"; });
+    };
+    workspace.select({}); // another unit, and back
+    workspace.select(std::find_if(units.begin(), units.end(), [](const auto& one) { return one.number == "3"; })->id);
+    CHECK(title().value == QStringLiteral("typed in the rain"));
+    CHECK(title().unsaved);
+    std::filesystem::rename(elsewhere, site.file);
+    for (int i = 0; i < 400 && !models.card.unsaved().isEmpty(); ++i) {
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
+        std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    }
+    CHECK(models.card.unsaved().isEmpty());
+    CHECK_FALSE(title().unsaved);
+    REQUIRE(models.entry.commit());
+    settle(workspace);
+    CHECK(recorded == 1);
+    app::Project project = site.reopened();
+    const auto& saved = project.record().units;
+    CHECK(std::any_of(saved.begin(), saved.end(), [](const auto& one) { return one.title == "typed in the rain"; }));
+    CHECK(project.record().relations.size() == 3);
 }

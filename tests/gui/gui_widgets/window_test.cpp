@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "gui/widgets/window/main_window.hpp"
 
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QCompleter>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMouseEvent>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 
+#include <algorithm>
 #include <set>
 
 #include "gui/widgets/matrix/matrix_canvas.hpp"
@@ -104,6 +108,54 @@ TEST_CASE("A relation is entered by keys alone: number, Enter, kind, Enter, numb
     CHECK(shown.window.models().workspace.snapshot()->record().relations.size() == 3);
     CHECK(object->text().isEmpty());
     CHECK(subject->text() == QStringLiteral("1"));
+}
+
+TEST_CASE("Enter goes on also while the list of completions is open, which then has the keys") {
+    Shown shown;
+    const auto enter = [](QLineEdit* field, const QString& text) {
+        field->clear();
+        QTest::keyClicks(field, text);
+        field->completer()->popup()->show();
+        QTest::keyClick(field->completer()->popup(), Qt::Key_Return);
+        CHECK_FALSE(field->completer()->popup()->isVisible());
+    };
+    enter(shown.find<QLineEdit>("relationSubject"), QStringLiteral("1"));
+    enter(shown.find<QLineEdit>("relationKind"), QStringLiteral("co"));
+    CHECK(shown.find<QLineEdit>("relationKind")->text() == QStringLiteral("covers"));
+    enter(shown.find<QLineEdit>("relationObject"), QStringLiteral("3"));
+    shown.settle_all();
+    CHECK(shown.window.models().workspace.snapshot()->record().relations.size() == 3);
+}
+
+TEST_CASE("A text that is only looked at takes back nothing that another program wrote; a half typed one stays") {
+    Shown shown;
+    QTest::keyClicks(shown.find<QLineEdit>("unitSearch"), QStringLiteral("3"));
+    QTest::keyClick(shown.find<QLineEdit>("unitSearch"), Qt::Key_Return);
+    shown.settle_all();
+    Workspace& workspace = shown.window.models().workspace;
+    const auto write_elsewhere = [&](const char* field, const char* value) {
+        workspace.edit(QStringLiteral("elsewhere"), [field, value](app::Project& project, Progress&) {
+            app::record_kind("unit").set(project, "3", {{field, value}});
+        });
+        for (int i = 0; i < 5; ++i) shown.settle_all();
+    };
+    const auto description = [&] { return shown.find<QPlainTextEdit>("field_description"); };
+    shown.window.activateWindow();
+    description()->setFocus();
+    write_elsewhere("description", "set elsewhere");
+    const std::size_t changes = workspace.snapshot()->changes.size();
+    CHECK(description()->toPlainText() == QStringLiteral("set elsewhere"));
+    for (int i = 0; i < 10; ++i) shown.settle_all();
+    CHECK(workspace.snapshot()->changes.size() == changes); // nothing was written back
+    description()->setFocus();
+    QTest::keyClicks(description(), QStringLiteral("typed "));
+    write_elsewhere("title", "another title");
+    CHECK(description()->toPlainText() == QStringLiteral("typed set elsewhere"));
+    description()->clearFocus();
+    for (int i = 0; i < 5; ++i) shown.settle_all();
+    const auto& units = workspace.snapshot()->record().units;
+    CHECK(std::any_of(units.begin(), units.end(),
+                      [](const auto& unit) { return unit.description == "typed set elsewhere"; }));
 }
 
 TEST_CASE("A click on a box selects its unit; a drag to another box wants a relation") {
