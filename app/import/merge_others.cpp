@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -29,8 +30,7 @@ void Merge::merge_chronology(const ImportSet& set) {
         merge.optional("rank", kept.value.rank, offered.rank);
     }
     for (const strat::ImportedPhase& offered : set.record.phases) {
-        auto [it, fresh] = phases_.try_emplace(phase_key(offered.period, offered.values.number),
-                                               Kept<model::Phase>{offered.values, true, false});
+        auto [it, fresh] = phases_.try_emplace(key_of(offered), Kept<model::Phase>{offered.values, true, false});
         Kept<model::Phase>& kept = it->second;
         model::PeriodId period;
         if (const auto p = periods_.find(offered.period); p != periods_.end()) period = p->second.value.id;
@@ -47,6 +47,16 @@ void Merge::merge_chronology(const ImportSet& set) {
         merge.optional("to", kept.value.to, offered.values.to);
         merge.optional("rank", kept.value.rank, offered.values.rank);
     }
+}
+
+// A list of units names phases without their periods: it means the only one of that number, if there is only one.
+std::string Merge::key_of(const strat::ImportedPhase& offered) const {
+    const std::string own = phase_key(offered.period, offered.values.number);
+    if (!offered.period.empty() || phases_.contains(own)) return own;
+    const auto same = [&](const auto& known) { return known.second.value.number == offered.values.number; };
+    const auto first = std::find_if(phases_.begin(), phases_.end(), same);
+    if (first == phases_.end() || std::find_if(std::next(first), phases_.end(), same) != phases_.end()) return own;
+    return first->first;
 }
 
 std::string Merge::number_of(model::PeriodId period) const {

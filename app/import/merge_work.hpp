@@ -62,6 +62,7 @@ class Merge {
     void collect();
 
     model::SourceId source_id(const std::string& name) const;
+    [[nodiscard]] std::string key_of(const strat::ImportedPhase& offered) const;
     [[nodiscard]] std::string number_of(model::PeriodId period) const;
     [[nodiscard]] model::PhaseId phase_of(const strat::ImportedUnit& sheet) const;
     model::PhysicalRelation& relation(const strat::StatedRelation& stated, std::size_t subject, std::size_t object);

@@ -115,6 +115,32 @@ TEST_CASE("With update the file's value stands, and both are still reported") {
     CHECK(plan.conflicts.at(0).replaced);
 }
 
+TEST_CASE("A list of units that names phases without their periods means those that there are") {
+    Bench bench;
+    auto all = a_set("phases.csv");
+    all.record.units = {a_sheet("1"), a_sheet("2")};
+    all.record.periods.resize(2);
+    all.record.periods[0].number = "M";
+    all.record.periods[1].number = "R";
+    all.record.phases.resize(1);
+    all.record.phases[0].values.number = "P1";
+    all.record.phases[0].period = "R";
+    all.record.units[0].phase = "P1";
+    all.record.units[0].period = "R";
+    const auto record = bench.merged({}, {all});
+    REQUIRE(record.phases.size() == 1);
+    auto set = a_set("units.csv");
+    set.record.units = {a_sheet("1"), a_sheet("2")};
+    set.record.phases.resize(1);
+    set.record.phases[0].values.number = "P1";
+    for (auto& unit : set.record.units) unit.phase = "P1";
+    const auto plan = bench.plan(record, {set});
+    CHECK(plan.conflicts.empty());
+    CHECK(plan.new_phases.empty());
+    REQUIRE(plan.changed_units.size() == 1); // 2 had none
+    CHECK(plan.changed_units[0].phase == record.phases[0].id);
+}
+
 TEST_CASE("Differing areas, phases and features are reported by their names") {
     Bench bench;
     auto set = a_set("units.csv");
