@@ -3013,6 +3013,237 @@
     </message>
 </context>
 <context>
+    <name>records</name>
+    <message>
+        <source>Trenches</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>Datierungen</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Unterlagen</translation>
+    </message>
+    <message>
+        <source>Finds</source>
+        <translation>Funde</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Lesarten</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Nivellements</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Perioden</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phasen</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Proben</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Adds</source>
+        <translation>Fügt hinzu</translation>
+    </message>
+    <message>
+        <source>Trench</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Association</source>
+        <translation>Zusammenhang</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>Box or bag</source>
+        <translation>Kiste oder Tüte</translation>
+    </message>
+    <message>
+        <source>Radiocarbon age [BP]</source>
+        <translation>Radiokohlenstoffalter [BP]</translation>
+    </message>
+    <message>
+        <source>σ of the age [years]</source>
+        <translation>σ des Alters [Jahre]</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>Kategorie</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Leaves out</source>
+        <translation>Lässt weg</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Erster Tag</translation>
+    </message>
+    <message>
+        <source>First unit number</source>
+        <translation>Erste Befundnummer</translation>
+    </message>
+    <message>
+        <source>Found on</source>
+        <translation>Gefunden am</translation>
+    </message>
+    <message>
+        <source>From [year]</source>
+        <translation>Von [Jahr]</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Bezeichnung</translation>
+    </message>
+    <message>
+        <source>Laboratory number</source>
+        <translation>Labornummer</translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation>Letzter Tag</translation>
+    </message>
+    <message>
+        <source>Last unit number</source>
+        <translation>Letzte Befundnummer</translation>
+    </message>
+    <message>
+        <source>Made on</source>
+        <translation>Gemacht am</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Place in time</source>
+        <translation>Platz in der Zeit</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Part of</source>
+        <translation>Teil von</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>Rank (1 = earliest)</source>
+        <translation>Rang (1 = frühester)</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Seen in the side of</source>
+        <translation>Zu sehen in der Wand von</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Zeigt</translation>
+    </message>
+    <message>
+        <source>σ [m]</source>
+        <translation>σ [m]</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>To [year]</source>
+        <translation>Bis [Jahr]</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Volume [l]</source>
+        <translation>Volumen [l]</translation>
+    </message>
+    <message>
+        <source>Weight [g]</source>
+        <translation>Gewicht [g]</translation>
+    </message>
+    <message>
+        <source>Height [m]</source>
+        <translation>Höhe [m]</translation>
+    </message>
+</context>
+<context>
     <name>sentences</name>
     <message>
         <source>%1 covers %2</source>

@@ -24,7 +24,8 @@ void TwoLineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     bold.setWeight(QFont::DemiBold);
     painter->setFont(bold);
     painter->setPen(selected ? theme().on_accent : theme().ink);
-    painter->drawText(QRect(left, inner.top(), inner.right() - left, line), Qt::AlignVCenter, title(index));
+    const QString head = QFontMetrics(bold).elidedText(title(index), Qt::ElideRight, inner.right() - left);
+    painter->drawText(QRect(left, inner.top(), inner.right() - left, line), Qt::AlignVCenter, head);
     painter->setFont(option.font);
     painter->setPen(selected ? theme().on_accent : theme().faint);
     const QString text = option.fontMetrics.elidedText(sentence(index), Qt::ElideRight, inner.right() - left);

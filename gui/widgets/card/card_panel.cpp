@@ -27,6 +27,8 @@ namespace planum::gui {
 
 namespace {
 
+constexpr int kNarrowCharacters = 36; // a card that is narrower has its names above the fields
+
 // A text of some lines that is saved when it is left.
 class LongText : public QPlainTextEdit {
   public:
@@ -250,7 +252,7 @@ void CardPanel::show_fields() {
     fields_ = new QWidget;
     auto* form = new QFormLayout(fields_);
     form->setContentsMargins(0, 0, 0, 0);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    form->setRowWrapPolicy(row_wrapping());
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->setVerticalSpacing(6);
     QString block;
@@ -279,6 +281,17 @@ void CardPanel::show_fields() {
     if (again == nullptr) return;
     if (typed && typed->object == focused) go_on_typing(again, *typed);
     again->setFocus();
+}
+
+// In a narrow card names stand above their fields, or nothing could be read in these.
+QFormLayout::RowWrapPolicy CardPanel::row_wrapping() const {
+    return width() < fontMetrics().averageCharWidth() * kNarrowCharacters ? QFormLayout::WrapAllRows
+                                                                          : QFormLayout::WrapLongRows;
+}
+
+void CardPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (auto* form = qobject_cast<QFormLayout*>(fields_->layout())) form->setRowWrapPolicy(row_wrapping());
 }
 
 void CardPanel::show_relations() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QFormLayout>
 #include <QWidget>
 
 #include <string>
@@ -29,7 +30,11 @@ class CardPanel : public QWidget {
 
     void show_full(bool full);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    [[nodiscard]] QFormLayout::RowWrapPolicy row_wrapping() const;
     void show_card();
     void show_fields();
     void show_relations();

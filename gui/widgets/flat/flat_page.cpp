@@ -14,7 +14,7 @@ namespace planum::gui {
 
 namespace {
 
-constexpr int kPlaceCharacters = 34;
+constexpr int kPlaceCharacters = 26;
 
 } // namespace
 
@@ -25,7 +25,7 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
     place_->setObjectName(name + QStringLiteral("Place"));
     place_->setProperty("role", "faint");
     place_->setMinimumWidth(fontMetrics().averageCharWidth() * kPlaceCharacters);
-    place_->setAlignment((choices.size() > 1 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    place_->setAlignment((choices.isEmpty() ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     auto* fit = new QToolButton;
     fit->setText(tr("Fit"));
     fit->setToolTip(tr("Shows the whole (F)"));
@@ -34,7 +34,7 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    if (choices.size() > 1) {
+    if (!choices.isEmpty()) {
         auto* head = new QWidget;
         auto* top = new FlowLayout(6);
         head->setLayout(top);
@@ -46,9 +46,8 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
         column->addWidget(bar);
     } else {
         auto* top = new QHBoxLayout;
-        top->setContentsMargins(choices.isEmpty() ? 0 : 8, 0, 8, 0);
+        top->setContentsMargins(0, 0, 8, 0);
         top->setSpacing(8);
-        for (QWidget* choice : choices) top->addWidget(choice);
         top->addWidget(bar, 1);
         top->addWidget(place_);
         top->addWidget(fit);

@@ -20,7 +20,7 @@ class FlatPage : public QWidget {
     FlatPage();
 
   protected:
-    /// Once, when the parts are made. `choices` of more than one widget get a line of their own above the outline bar.
+    /// Once, when the parts are made. `choices` get a line of their own above the outline bar.
     void lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar, const QList<QWidget*>& choices = {});
 
     /// In words, for the head; `place` as the canvas counts.

@@ -15,6 +15,12 @@
 
 namespace planum::gui {
 
+namespace {
+
+constexpr int kSentenceCharacters = 44; // in two lines
+
+} // namespace
+
 OutlineBar::OutlineBar(Models& models, const QString& view, Offers offers)
     : models_(models), view_(view), draw_(new QToolButton), change_(new QToolButton), offer_(new QToolButton),
       remove_(new QToolButton), unit_(new QLineEdit), category_(new QComboBox), shows_(new QComboBox),
@@ -60,7 +66,7 @@ OutlineBar::OutlineBar(Models& models, const QString& view, Offers offers)
     sentence_->setProperty("role", "faint");
     // A narrow window gets a second line of tools instead of growing wider than the screen; whatever the sentence
     // says, it takes the same room, so that the picture does not move between two corners.
-    sentence_->setFixedSize(380, theme().touch + 8);
+    sentence_->setFixedSize(fontMetrics().averageCharWidth() * kSentenceCharacters, theme().touch + 8);
     sentence_->setWordWrap(true);
     auto* row = new FlowLayout(6);
     setLayout(row);

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "gui/viewmodels/models.hpp"
+#include "gui/viewmodels/record_words.hpp"
 
 namespace planum::gui {
 
@@ -21,8 +22,8 @@ RecordsView::RecordsView(Models& models)
     setObjectName(QStringLiteral("records"));
     kind_->setObjectName(QStringLiteral("recordKind"));
     kind_->setAccessibleName(tr("List"));
-    kind_->addItems(RecordsModel::kinds());
-    kind_->setCurrentText(records_.kind());
+    for (const QString& kind : RecordsModel::kinds()) kind_->addItem(record_list_title(kind), kind);
+    kind_->setCurrentIndex(kind_->findData(records_.kind()));
     search_->setPlaceholderText(tr("Find"));
     search_->setAccessibleName(tr("Find in the list"));
     search_->setClearButtonEnabled(true);
@@ -41,7 +42,7 @@ RecordsView::RecordsView(Models& models)
     connect(add, &QPushButton::clicked, this, add_one);
     connect(fresh_, &QLineEdit::returnPressed, this, add_one);
     connect(delete_, &QPushButton::clicked, &records_, &RecordsModel::remove);
-    connect(kind_, &QComboBox::textActivated, &records_, &RecordsModel::set_kind);
+    connect(kind_, &QComboBox::activated, this, [this] { records_.set_kind(kind_->currentData().toString()); });
     connect(search_, &QLineEdit::textChanged, this, &RecordsView::show_names);
     connect(names_, &QListWidget::currentTextChanged, &records_, &RecordsModel::choose);
     auto* left = new QVBoxLayout;
@@ -90,12 +91,12 @@ void RecordsView::show_fields() {
         form->addRow(hint);
     }
     for (const RecordsModel::FieldLine& field : records_.fields()) {
-        auto* name = new QLabel(field.name);
+        auto* name = new QLabel(record_field_label(field.name));
         name->setProperty("role", "faint");
         name->setToolTip(field.help);
         auto* edit = new QLineEdit(field.value);
         edit->setObjectName(QStringLiteral("record_") + field.name);
-        edit->setAccessibleName(field.name);
+        edit->setAccessibleName(record_field_label(field.name));
         edit->setToolTip(field.help);
         edit->setEnabled(writable);
         edit->setCursorPosition(0);

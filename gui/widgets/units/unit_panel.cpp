@@ -66,7 +66,7 @@ UnitPanel::UnitPanel(Models& models)
     search_->installEventFilter(this);
     for (QComboBox* box : {kind_, status_, area_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(7);
+        box->setMinimumContentsLength(4);
         connect(box, &QComboBox::activated, this, &UnitPanel::take_filter);
     }
     connect(search_, &QLineEdit::textChanged, this, &UnitPanel::take_filter);
