@@ -246,8 +246,11 @@ void CardPanel::show_fields() {
     const bool same_unit = std::exchange(shown_unit_, models_.card.unit()) == models_.card.unit();
     shown_ = std::move(shown);
     // A field that is being left says so once more while it goes; who has the cursor keeps it.
-    const QString focused = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
-    const std::optional<HalfTyped> typed = same_unit ? half_typed(focusWidget()) : std::nullopt;
+    // Of the whole window: that of the panel is who had it last, and would take it from where somebody types now.
+    QWidget* focus = window()->focusWidget();
+    const bool is_here = focus != nullptr && fields_->isAncestorOf(focus);
+    const QString focused = is_here ? focus->objectName() : QString();
+    const std::optional<HalfTyped> typed = same_unit && is_here ? half_typed(focus) : std::nullopt;
     auto* old = fields_;
     fields_ = new QWidget;
     auto* form = new QFormLayout(fields_);

@@ -12,6 +12,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -158,8 +159,10 @@ void MainWindow::make_actions() {
     connect(look, &QAction::triggered, this, [this] { ask_for_project(store::OpenMode::ReadOnly); });
     connect(quit, &QAction::triggered, this, &QWidget::close);
     connect(undo_, &QAction::triggered, this, [this] {
+        const QPointer<QWidget> field = focusWidget();
         leave_field(); // what is being typed is the last thing that was done
         models_.workspace.undo();
+        if (field != nullptr) field->setFocus();
     });
     connect(redo_, &QAction::triggered, &models_.workspace, &Workspace::redo);
     connect(find, &QAction::triggered, this, [this] { show_view("units"); });

@@ -158,6 +158,26 @@ TEST_CASE("A text that is only looked at takes back nothing that another program
                       [](const auto& unit) { return unit.description == "typed set elsewhere"; }));
 }
 
+TEST_CASE("The search field keeps the keys when another unit comes into the card") {
+    Shown shown;
+    auto* search = shown.find<QLineEdit>("unitSearch");
+    const auto go_to = [&](const char* unit) {
+        search->setFocus();
+        search->clear();
+        QTest::keyClicks(search, QString::fromLatin1(unit));
+        QTest::keyClick(search, Qt::Key_Return);
+        shown.settle_all();
+    };
+    shown.window.activateWindow();
+    go_to("3");
+    shown.find<QLineEdit>("field_title")->setFocus();
+    go_to("1");
+    CHECK(shown.window.focusWidget() == search);
+    shown.find<QPlainTextEdit>("field_description")->setFocus();
+    go_to("3");
+    CHECK(shown.window.focusWidget() == search);
+}
+
 TEST_CASE("A click on a box selects its unit; a drag to another box wants a relation") {
     Shown shown;
     auto* matrix = dynamic_cast<MatrixView*>(shown.window.view("matrix"));
