@@ -5,7 +5,15 @@
 
 namespace planum::app {
 
+namespace {
+
 constexpr double kLevelSigma = 0.02; // of a level, and of a floor that is not quite level [m]
+
+bool is_depth(const model::Level& level) {
+    return level.role == model::LevelRole::Base || level.role == model::LevelRole::Cut;
+}
+
+} // namespace
 
 std::vector<scans::SpotHeight> spot_heights(const model::Record& record, const model::Surface& surface) {
     std::vector<scans::SpotHeight> spots;
@@ -13,7 +21,7 @@ std::vector<scans::SpotHeight> spot_heights(const model::Record& record, const m
         if (region.surface != surface.id || region.shows != model::RegionShows::Cut || region.unit.is_nil()) continue;
         const geometry::MultiPolygon shape = shape_of(region.outline);
         for (const model::Level& level : record.levels) {
-            if (level.unit == region.unit && level.x && level.y)
+            if (level.unit == region.unit && is_depth(level) && level.x && level.y)
                 spots.push_back({*level.x, *level.y, level.z, kLevelSigma, shape});
         }
     }

@@ -8,7 +8,8 @@
 
 namespace planum::app {
 
-/// The recorded levels of cuts that lie in an outline of the bare cut on a surface. Levels without a place say nothing.
+/// The recorded depths of cuts that stand bare on a surface, each with the outline that shows it. What was measured on
+/// their rims, and levels without a place, say nothing of their floors.
 [[nodiscard]] std::vector<scans::SpotHeight> spot_heights(const model::Record& record, const model::Surface& surface);
 
 } // namespace planum::app

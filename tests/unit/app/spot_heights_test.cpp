@@ -39,6 +39,7 @@ TEST_CASE("Of all levels those of cuts that stand empty on the surface say how d
         l.x = x;
         l.y = 0.5;
         l.z = z;
+        l.role = model::LevelRole::Base;
         record.levels.push_back(l);
     };
     level(fill, 0.5, 9.0);
@@ -46,6 +47,8 @@ TEST_CASE("Of all levels those of cuts that stand empty on the surface say how d
     level(cut, 0.6, 8.5);
     level(cut, 0.7, 8.6);
     record.levels.back().x.reset(); // on an old sheet without a place
+    level(cut, 0.1, 9.2);
+    record.levels.back().role = model::LevelRole::Top; // the rim
     CHECK(app::spot_heights(record, before).empty());
     const auto spots = app::spot_heights(record, after);
     REQUIRE(spots.size() == 2);
