@@ -115,7 +115,8 @@ DesktopArguments read_desktop_arguments(const QStringList& given) {
     DesktopArguments arguments;
     arguments.help = parser.isSet(options.help);
     arguments.version = parser.isSet(options.version);
-    arguments.help_text = parser.helpText();
+    // Qt knows the program's name only once there is an application, which needs a display.
+    arguments.help_text = parser.helpText().replace(q("<executable_name>"), q("planum-desktop"));
     arguments.read_only = parser.isSet(options.read_only);
     read_look(parser, options, arguments);
     if (parser.positionalArguments().size() > 1) throw usage("one project at a time");

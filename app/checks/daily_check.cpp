@@ -54,6 +54,19 @@ DailyCheck reviewed(strat::CheckResult result, const model::Record& record) {
     return check;
 }
 
+// As people name the problem: by its check and the units it is about.
+std::string acceptance_label(Project& project, const model::Diagnostic& problem) {
+    constexpr std::size_t kNamed = 4;
+    std::vector<std::string> units;
+    for (const model::UnitId unit : problem.units) {
+        if (units.size() < kNamed) units.push_back(project.index().name(unit));
+    }
+    if (units.empty()) return "Accept problem " + problem.code;
+    const std::size_t more = problem.units.size() - units.size();
+    return fmt::format("Accept problem {} of {}{}", problem.code, text::join(units, ", "),
+                       more == 0 ? "" : fmt::format(" and {} more", more));
+}
+
 } // namespace
 
 DailyCheck check_record(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
@@ -94,7 +107,7 @@ void accept_problem(Project& project, std::string_view id, std::string_view beca
     model::Decision decision = strat::accept(*it, std::string(text::trim(because)));
     decision.author = project.author();
     decision.made_at = project.clock().now();
-    project.change(fmt::format("Accept problem {}", id), [&] { project.file().insert(decision); });
+    project.change(acceptance_label(project, *it), [&] { project.file().insert(decision); });
 }
 
 void sign_off(Project& project, Progress& progress) {

@@ -25,6 +25,12 @@ std::optional<std::int64_t> integer_from(const std::string& field, const std::st
     return *value;
 }
 
+std::vector<std::string> words_of(std::string_view list) {
+    std::vector<std::string> words;
+    for (const std::string_view word : text::split(list, ',')) words.emplace_back(text::trim(word));
+    return words;
+}
+
 std::string date_from(const std::string& field, const std::string& text) {
     std::string date{text::trim(text)};
     if (date.empty()) return date;

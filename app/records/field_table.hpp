@@ -59,10 +59,13 @@ Field<T> integer_field(std::string name, std::string help, std::optional<std::in
             [member, name](T& value, const std::string& text, Project&) { value.*member = integer_from(name, text); }};
 }
 
+/// `top, base` → the two words.
+[[nodiscard]] std::vector<std::string> words_of(std::string_view list);
+
 /// A field of an enumeration; `from` reads its words, `allowed` lists them for the error.
 template<class T, class Enum, class From>
 Field<T> word_field(std::string name, const std::string& help, Enum T::*member, From from, const std::string& allowed) {
-    return {{name, help + " (" + allowed + ")"},
+    return {{name, help + " (" + allowed + ")", words_of(allowed)},
             [member](const T& value, Project&) { return std::string(to_word(value.*member)); },
             [member, name, from, allowed](T& value, const std::string& text, Project&) {
                 const auto read = from(text);

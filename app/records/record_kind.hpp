@@ -16,6 +16,7 @@ namespace planum::app {
 struct FieldInfo {
     std::string name;
     std::string help;
+    std::vector<std::string> words = {}; ///< of an enumeration: all it may hold, as they are stored
 };
 
 /// Fields and their values as text, in the order of RecordKind::fields.

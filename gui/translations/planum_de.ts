@@ -2,6 +2,401 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Suchen in:</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurückgehen</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Vorwärtsgehen</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Übergeordneter Ordner</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Zum übergeordneten Ordner</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Neuen Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Einen neuen Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Als Liste zeigen</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Mit Einzelheiten zeigen</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Seitenleiste</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Dateien des Typs:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Datei&amp;name:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Ordner:</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>S&amp;peichern</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>&amp;Versteckte Dateien zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 gibt es schon.
+Ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Diese Datei gibt es nicht.
+Bitte den Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Diesen Ordner gibt es nicht.
+Bitte den Namen prüfen.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Geändert am</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Rechner</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+</context>
+<context>
+    <name>QPrintPreviewDialog</name>
+    <message>
+        <source>Print Preview</source>
+        <translation>Druckvorschau</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Nächste Seite</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Vorige Seite</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>Erste Seite</translation>
+    </message>
+    <message>
+        <source>Last page</source>
+        <translation>Letzte Seite</translation>
+    </message>
+    <message>
+        <source>Fit width</source>
+        <translation>Seitenbreite</translation>
+    </message>
+    <message>
+        <source>Fit page</source>
+        <translation>Ganze Seite</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Show single page</source>
+        <translation>Einzelne Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Show facing pages</source>
+        <translation>Gegenüberliegende Seiten zeigen</translation>
+    </message>
+    <message>
+        <source>Show overview of all pages</source>
+        <translation>Übersicht aller Seiten zeigen</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Page setup</source>
+        <translation>Seite einrichten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Export to PDF</source>
+        <translation>Als PDF ausgeben</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>&amp;Adresse kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
     <name>card</name>
     <message>
         <source>Kind</source>
@@ -119,12 +514,232 @@
         <source>Dates and phases</source>
         <translation>Datierung und Phasen</translation>
     </message>
+    <message>
+        <source>Site code</source>
+        <translation>Kürzel der Grabung</translation>
+    </message>
+    <message>
+        <source>Sector</source>
+        <translation>Sektor</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrant</translation>
+    </message>
+    <message>
+        <source>Room or functional unit</source>
+        <translation>Raum oder Funktionseinheit</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Formation (natural, artificial)</source>
+        <translation>Entstehung (natürlich, künstlich)</translation>
+    </message>
+    <message>
+        <source>Criteria of distinction</source>
+        <translation>Unterscheidungsmerkmale</translation>
+    </message>
+    <message>
+        <source>Mode of formation</source>
+        <translation>Art der Entstehung</translation>
+    </message>
+    <message>
+        <source>Compaction or consistency</source>
+        <translation>Festigkeit, Konsistenz</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Munsell colour</source>
+        <translation>Munsell-Farbe</translation>
+    </message>
+    <message>
+        <source>Composition</source>
+        <translation>Zusammensetzung</translation>
+    </message>
+    <message>
+        <source>Inclusions</source>
+        <translation>Einschlüsse</translation>
+    </message>
+    <message>
+        <source>Organic components</source>
+        <translation>organische Bestandteile</translation>
+    </message>
+    <message>
+        <source>Inorganic components</source>
+        <translation>anorganische Bestandteile</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Mächtigkeit</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Shape in plan</source>
+        <translation>Form im Planum</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Form im Profil</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Break of slope, top and base</source>
+        <translation>Kanten oben und unten</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Wandung</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Sohle</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Borders</source>
+        <translation>Begrenzung</translation>
+    </message>
+    <message>
+        <source>Truncation</source>
+        <translation>Kappung</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Störungen</translation>
+    </message>
+    <message>
+        <source>Masonry: materials, size, finish</source>
+        <translation>Mauerwerk: Material, Maße, Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Masonry: coursing and bond</source>
+        <translation>Mauerwerk: Lagen und Verband</translation>
+    </message>
+    <message>
+        <source>Masonry: form and faces</source>
+        <translation>Mauerwerk: Form und Ansichten</translation>
+    </message>
+    <message>
+        <source>Masonry: bonding material</source>
+        <translation>Mauerwerk: Bindemittel</translation>
+    </message>
+    <message>
+        <source>Timber: type and setting</source>
+        <translation>Holz: Art und Einbau</translation>
+    </message>
+    <message>
+        <source>Timber: cross-section, conversion</source>
+        <translation>Holz: Querschnitt, Zurichtung</translation>
+    </message>
+    <message>
+        <source>Timber: tool marks, joints</source>
+        <translation>Holz: Bearbeitungsspuren, Verbindungen</translation>
+    </message>
+    <message>
+        <source>Skeleton: position</source>
+        <translation>Skelett: Lage</translation>
+    </message>
+    <message>
+        <source>Skeleton: completeness, truncation</source>
+        <translation>Skelett: Vollständigkeit, Störung</translation>
+    </message>
+    <message>
+        <source>Excavation method</source>
+        <translation>Grabungsmethode</translation>
+    </message>
+    <message>
+        <source>Per cent excavated</source>
+        <translation>Anteil ausgegraben [%]</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Sieving</source>
+        <translation>Siebung</translation>
+    </message>
+    <message>
+        <source>Flotation</source>
+        <translation>Flotation</translation>
+    </message>
+    <message>
+        <source>Reliability of the stratigraphy</source>
+        <translation>Sicherheit der Stratigraphie</translation>
+    </message>
+    <message>
+        <source>Activity</source>
+        <translation>Tätigkeit</translation>
+    </message>
+    <message>
+        <source>Dating evidence</source>
+        <translation>Datierungshinweise</translation>
+    </message>
+    <message>
+        <source>Observations</source>
+        <translation>Beobachtungen</translation>
+    </message>
+    <message>
+        <source>Scientific director</source>
+        <translation>wissenschaftliche Leitung</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>geprüft von</translation>
+    </message>
+    <message>
+        <source>Checked on</source>
+        <translation>geprüft am</translation>
+    </message>
+    <message>
+        <source>Revised by</source>
+        <translation>überarbeitet von</translation>
+    </message>
+    <message>
+        <source>Revised on</source>
+        <translation>überarbeitet am</translation>
+    </message>
+    <message>
+        <source>Free fields (name=value lines)</source>
+        <translation>freie Felder (Zeilen Name=Wert)</translation>
+    </message>
+    <message>
+        <source>Kind, more closely</source>
+        <translation>Art, genauer</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
 </context>
 <context>
     <name>changes</name>
     <message>
         <source>Accept a relation from surfaces</source>
-        <translation>Eine Beziehung aus Oberflächen annehmen</translation>
+        <translation>Eine Beziehung aus Flächen annehmen</translation>
     </message>
     <message>
         <source>Accept problem %1</source>
@@ -136,7 +751,7 @@
     </message>
     <message>
         <source>Accept relations from surfaces</source>
-        <translation>Beziehungen aus Oberflächen annehmen</translation>
+        <translation>Beziehungen aus Flächen annehmen</translation>
     </message>
     <message>
         <source>Add %1</source>
@@ -204,7 +819,7 @@
     </message>
     <message>
         <source>Make interpretation %1</source>
-        <translation>Deutung %1 anlegen</translation>
+        <translation>Lesart %1 anlegen</translation>
     </message>
     <message>
         <source>Mark %1 uncertain: %2</source>
@@ -212,11 +827,11 @@
     </message>
     <message>
         <source>Outline changed ground</source>
-        <translation>Geändertes umreißen</translation>
+        <translation>Geänderten Boden umreißen</translation>
     </message>
     <message>
         <source>Outline changed ground as %1</source>
-        <translation>Geändertes als %1 umreißen</translation>
+        <translation>Geänderten Boden als %1 umreißen</translation>
     </message>
     <message>
         <source>Redraw region %1</source>
@@ -256,7 +871,7 @@
     </message>
     <message>
         <source>document %1</source>
-        <translation>Dokument %1</translation>
+        <translation>Unterlage %1</translation>
     </message>
     <message>
         <source>find %1</source>
@@ -268,11 +883,11 @@
     </message>
     <message>
         <source>interpretation %1</source>
-        <translation>Deutung %1</translation>
+        <translation>Lesart %1</translation>
     </message>
     <message>
         <source>level %1</source>
-        <translation>Höhe %1</translation>
+        <translation>Nivellement %1</translation>
     </message>
     <message>
         <source>period %1</source>
@@ -300,11 +915,67 @@
     </message>
     <message>
         <source>surface %1</source>
-        <translation>Oberfläche %1</translation>
+        <translation>Fläche %1</translation>
     </message>
     <message>
         <source>unit %1</source>
         <translation>Befund %1</translation>
+    </message>
+    <message>
+        <source>Accept problem %1 of %2</source>
+        <translation>Problem %1 von %2 hinnehmen</translation>
+    </message>
+    <message>
+        <source>Added %1 row of %2 with another program</source>
+        <translation>%1 Eintrag %2 mit einem anderen Programm angelegt</translation>
+    </message>
+    <message>
+        <source>Added %1 rows of %2 with another program</source>
+        <translation>%1 Einträge %2 mit einem anderen Programm angelegt</translation>
+    </message>
+    <message>
+        <source>Changed %1 row of %2 with another program</source>
+        <translation>%1 Eintrag %2 mit einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>Changed %1 rows of %2 with another program</source>
+        <translation>%1 Einträge %2 mit einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>Deleted %1 row of %2 with another program</source>
+        <translation>%1 Eintrag %2 mit einem anderen Programm gelöscht</translation>
+    </message>
+    <message>
+        <source>Deleted %1 rows of %2 with another program</source>
+        <translation>%1 Einträge %2 mit einem anderen Programm gelöscht</translation>
+    </message>
+    <message>
+        <source>Import measured points of %1</source>
+        <translation>Messpunkte aus %1 einlesen</translation>
+    </message>
+    <message>
+        <source>Restored %1 row of %2 with another program</source>
+        <translation>%1 Eintrag %2 mit einem anderen Programm zurückgeholt</translation>
+    </message>
+    <message>
+        <source>Restored %1 rows of %2 with another program</source>
+        <translation>%1 Einträge %2 mit einem anderen Programm zurückgeholt</translation>
+    </message>
+    <message>
+        <source>Sign the day off</source>
+        <translation>Tag abzeichnen</translation>
+    </message>
+    <message>
+        <source>Accept a problem</source>
+        <translation>Ein Problem hinnehmen</translation>
+    </message>
+    <message>
+        <source>Accept problem “%1”</source>
+        <translation>Problem „%1“ hinnehmen</translation>
+    </message>
+    <message>
+        <source>Accept problem “%1” (%2)</source>
+        <translation>Problem „%1“ (%2) hinnehmen</translation>
     </message>
 </context>
 <context>
@@ -474,6 +1145,37 @@
     </message>
 </context>
 <context>
+    <name>log</name>
+    <message>
+        <source>recorded</source>
+        <translation>angelegt</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>deleted</source>
+        <translation>gelöscht</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>zurückgenommen</translation>
+    </message>
+    <message>
+        <source>done again</source>
+        <translation>wiederholt</translation>
+    </message>
+    <message>
+        <source>brought back</source>
+        <translation>zurückgeholt</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>anderes Programm</translation>
+    </message>
+</context>
+<context>
     <name>papers</name>
     <message>
         <source>no file is named</source>
@@ -606,7 +1308,7 @@
     </message>
     <message>
         <source>Levels, finds, papers</source>
-        <translation>Höhen, Funde, Unterlagen</translation>
+        <translation>Nivellements, Funde, Unterlagen</translation>
     </message>
     <message>
         <source>%1: not saved yet</source>
@@ -656,7 +1358,7 @@
     </message>
     <message>
         <source>%1 new levels, finds, phases and others</source>
-        <translation>%1 neue Höhen, Funde, Phasen und anderes</translation>
+        <translation>%1 neue Nivellements, Funde, Phasen und anderes</translation>
     </message>
     <message>
         <source>%1, %2: “%3” stands, the file says “%4”</source>
@@ -708,7 +1410,7 @@
     </message>
     <message>
         <source>%1 points: %2 new levels, %3 new finds</source>
-        <translation>%1 Punkte: %2 neue Höhen, %3 neue Funde</translation>
+        <translation>%1 Punkte: %2 neue Nivellements, %3 neue Funde</translation>
     </message>
     <message>
         <source>Taking markers in</source>
@@ -943,7 +1645,7 @@
     </message>
     <message>
         <source>%1: %2 m², %3 m since the surface before; %4: %5</source>
-        <translation>%1: %2 m², %3 m seit der Oberfläche davor; %4: %5</translation>
+        <translation>%1: %2 m², %3 m seit der Fläche davor; %4: %5</translation>
     </message>
     <message>
         <source>all ground that changed is outlined</source>
@@ -1278,7 +1980,7 @@
     </message>
     <message>
         <source>Which lines surfaces, sections and levels confirm or contradict</source>
-        <translation>Welche Linien Oberflächen, Profile und Höhen bestätigen oder widerlegen</translation>
+        <translation>Welche Linien Flächen, Profile und Nivellements bestätigen oder widerlegen</translation>
     </message>
 </context>
 <context>
@@ -1368,11 +2070,11 @@
     </message>
     <message>
         <source>Name what changed</source>
-        <translation>Geändertes benennen</translation>
+        <translation>Verändertes benennen</translation>
     </message>
     <message>
         <source>Offers ground that changed since the surface before and has no outline yet</source>
-        <translation>Bietet an, was sich seit der Oberfläche davor geändert und noch keinen Umriss hat</translation>
+        <translation>Bietet an, was sich seit der Fläche davor geändert und noch keinen Umriss hat</translation>
     </message>
     <message>
         <source>Take it</source>
@@ -1429,7 +2131,7 @@
     </message>
     <message>
         <source>No scan of this surface yet. Add scans from the project menu, or drop files on the window.</source>
-        <translation>Noch kein Scan dieser Oberfläche. Scans über das Menü Projekt aufnehmen oder Dateien auf das Fenster ziehen.</translation>
+        <translation>Noch kein Scan dieser Fläche. Scans über das Menü Projekt aufnehmen oder Dateien auf das Fenster ziehen.</translation>
     </message>
 </context>
 <context>
@@ -1489,6 +2191,38 @@
         <source>shaded</source>
         <translation>schattiert</translation>
     </message>
+    <message>
+        <source>equirectangular</source>
+        <translation>äquirektangular</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>zylindrisch</translation>
+    </message>
+    <message>
+        <source>Mercator</source>
+        <translation>Mercator</translation>
+    </message>
+    <message>
+        <source>Miller</source>
+        <translation>Miller</translation>
+    </message>
+    <message>
+        <source>equal-area</source>
+        <translation>flächentreu</translation>
+    </message>
+    <message>
+        <source>rectilinear</source>
+        <translation>geradentreu</translation>
+    </message>
+    <message>
+        <source>Pannini</source>
+        <translation>Pannini</translation>
+    </message>
+    <message>
+        <source>stereographic</source>
+        <translation>stereografisch</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::PaperMenu</name>
@@ -1518,7 +2252,7 @@
     </message>
     <message>
         <source>the whole record</source>
-        <translation>die ganze Aufzeichnung</translation>
+        <translation>die ganze Grabung</translation>
     </message>
     <message>
         <source>Report</source>
@@ -1534,7 +2268,7 @@
     </message>
     <message>
         <source>There is no surface to draw yet.</source>
-        <translation>Es gibt noch keine Oberfläche zu zeichnen.</translation>
+        <translation>Es gibt noch keine Fläche zu zeichnen.</translation>
     </message>
     <message>
         <source>Plan to scale</source>
@@ -1542,7 +2276,7 @@
     </message>
     <message>
         <source>Surface</source>
-        <translation>Oberfläche</translation>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -1589,15 +2323,15 @@
     <name>planum::gui::PatchModel</name>
     <message>
         <source>Looking for ground without outlines</source>
-        <translation>Suche nach Flächen ohne Umriss</translation>
+        <translation>Suche nach Boden ohne Umriss</translation>
     </message>
     <message>
         <source>Name changed ground</source>
-        <translation>Geänderte Fläche benennen</translation>
+        <translation>Geänderten Boden benennen</translation>
     </message>
     <message>
         <source>comparing with the surface before …</source>
-        <translation>Vergleich mit der Oberfläche davor …</translation>
+        <translation>Vergleich mit der Fläche davor …</translation>
     </message>
     <message>
         <source>All ground that changed is outlined.</source>
@@ -1760,7 +2494,7 @@
     </message>
     <message>
         <source>Comparing the surfaces</source>
-        <translation>Die Oberflächen werden verglichen</translation>
+        <translation>Die Flächen werden verglichen</translation>
     </message>
 </context>
 <context>
@@ -1834,7 +2568,7 @@
     </message>
     <message>
         <source>; the surfaces are still being compared</source>
-        <translation>; die Oberflächen werden noch verglichen</translation>
+        <translation>; die Flächen werden noch verglichen</translation>
     </message>
 </context>
 <context>
@@ -2171,7 +2905,7 @@
     </message>
     <message>
         <source>Place</source>
-        <translation>Ort</translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>rms [mm]</source>
@@ -2437,7 +3171,7 @@
     </message>
     <message>
         <source>Cut</source>
-        <translation>Schneiden</translation>
+        <translation>Wegschneiden</translation>
     </message>
     <message>
         <source>Cut away what lies in front, above or behind</source>
@@ -2493,11 +3227,11 @@
     </message>
     <message>
         <source>Shown</source>
-        <translation>Zu sehen</translation>
+        <translation>Sichtbar</translation>
     </message>
     <message>
         <source>Surfaces, scans and outlines on and off, one by one</source>
-        <translation>Oberflächen, Scans und Umrisse einzeln ein- und ausblenden</translation>
+        <translation>Flächen, Scans und Umrisse einzeln ein- und ausblenden</translation>
     </message>
     <message>
         <source>difference to another surface</source>
@@ -2755,7 +3489,7 @@
     </message>
     <message>
         <source>There is no reading beside the record to compare it with.</source>
-        <translation>Neben der Aufzeichnung gibt es keine Lesart zum Vergleichen.</translation>
+        <translation>Neben der Aufnahme gibt es keine Lesart zum Vergleichen.</translation>
     </message>
     <message>
         <source>Compare readings</source>
@@ -2799,7 +3533,7 @@
     </message>
     <message>
         <source>Points of a region …</source>
-        <translation>Punkte einer Region …</translation>
+        <translation>Punkte eines Umrisses …</translation>
     </message>
     <message>
         <source>Verify and clean up</source>
@@ -2819,11 +3553,11 @@
     </message>
     <message>
         <source>Points of a region</source>
-        <translation>Punkte einer Region</translation>
+        <translation>Punkte eines Umrisses</translation>
     </message>
     <message>
         <source>Region</source>
-        <translation>Region</translation>
+        <translation>Umriss</translation>
     </message>
     <message>
         <source>Points of %1</source>
@@ -2872,6 +3606,14 @@
         <source>Reading what was changed</source>
         <translation>Lesen, was geändert wurde</translation>
     </message>
+    <message>
+        <source>“%1”  %2</source>
+        <translation>„%1“  %2</translation>
+    </message>
+    <message>
+        <source>%1: “%2” → “%3”</source>
+        <translation>%1: „%2“ → „%3“</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::UnitListModel</name>
@@ -2893,7 +3635,7 @@
     </message>
     <message>
         <source>Short definition</source>
-        <translation>Kurzansprache</translation>
+        <translation>Ansprache</translation>
     </message>
     <message>
         <source>Status</source>
@@ -3242,6 +3984,254 @@
         <source>Height [m]</source>
         <translation>Höhe [m]</translation>
     </message>
+    <message>
+        <source>trench</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datierung</translation>
+    </message>
+    <message>
+        <source>document</source>
+        <translation>Unterlage</translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesart</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Nivellement</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>name of the trench</source>
+        <translation>Name des Schnitts</translation>
+    </message>
+    <message>
+        <source>label of the date</source>
+        <translation>Bezeichnung der Datierung</translation>
+    </message>
+    <message>
+        <source>number of the document</source>
+        <translation>Nummer der Unterlage</translation>
+    </message>
+    <message>
+        <source>number of the find</source>
+        <translation>Nummer des Funds</translation>
+    </message>
+    <message>
+        <source>number of the group</source>
+        <translation>Nummer der Gruppe</translation>
+    </message>
+    <message>
+        <source>name of the reading</source>
+        <translation>Name der Lesart</translation>
+    </message>
+    <message>
+        <source>unit that was levelled</source>
+        <translation>nivellierter Befund</translation>
+    </message>
+    <message>
+        <source>number of the period</source>
+        <translation>Nummer der Periode</translation>
+    </message>
+    <message>
+        <source>number of the phase</source>
+        <translation>Nummer der Phase</translation>
+    </message>
+    <message>
+        <source>surface/unit</source>
+        <translation>Fläche/Befund</translation>
+    </message>
+    <message>
+        <source>number of the sample</source>
+        <translation>Nummer der Probe</translation>
+    </message>
+    <message>
+        <source>name of the surface</source>
+        <translation>Name der Fläche</translation>
+    </message>
+    <message>
+        <source>analysed</source>
+        <translation>ausgewertet</translation>
+    </message>
+    <message>
+        <source>terminus ante quem</source>
+        <translation>Terminus ante quem</translation>
+    </message>
+    <message>
+        <source>backfill</source>
+        <translation>Wiederverfüllung</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Unterkante</translation>
+    </message>
+    <message>
+        <source>baulk</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>charcoal</source>
+        <translation>Holzkohle</translation>
+    </message>
+    <message>
+        <source>coin</source>
+        <translation>Münze</translation>
+    </message>
+    <message>
+        <source>bare cut</source>
+        <translation>leerer Eingriff</translation>
+    </message>
+    <message>
+        <source>discarded</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>equipment</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>level inside it</source>
+        <translation>Planum in ihm</translation>
+    </message>
+    <message>
+        <source>dug by machine</source>
+        <translation>mit dem Bagger gegraben</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>gemischt</translation>
+    </message>
+    <message>
+        <source>nothing of it</source>
+        <translation>nichts davon</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>sonstige</translation>
+    </message>
+    <message>
+        <source>dug too deep</source>
+        <translation>zu tief gegraben</translation>
+    </message>
+    <message>
+        <source>photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>in plana</source>
+        <translation>nach Plana</translation>
+    </message>
+    <message>
+        <source>pollen</source>
+        <translation>Pollen</translation>
+    </message>
+    <message>
+        <source>terminus post quem</source>
+        <translation>Terminus post quem</translation>
+    </message>
+    <message>
+        <source>radiocarbon</source>
+        <translation>Radiokohlenstoff</translation>
+    </message>
+    <message>
+        <source>sheet</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>slump</source>
+        <translation>Nachsturz</translation>
+    </message>
+    <message>
+        <source>soil</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>spoil</source>
+        <translation>Abraum</translation>
+    </message>
+    <message>
+        <source>stored</source>
+        <translation>eingelagert</translation>
+    </message>
+    <message>
+        <source>by stratigraphic units</source>
+        <translation>nach Schichten</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>eingereicht</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>Oberkante</translation>
+    </message>
+    <message>
+        <source>date of the unit itself</source>
+        <translation>Datierung des Befunds selbst</translation>
+    </message>
+    <message>
+        <source>uncertain</source>
+        <translation>unsicher</translation>
+    </message>
+    <message>
+        <source>not excavated yet</source>
+        <translation>noch nicht gegraben</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>bottom of the cut</source>
+        <translation>Sohle des Eingriffs</translation>
+    </message>
 </context>
 <context>
     <name>sentences</name>
@@ -3515,11 +4505,11 @@
     </message>
     <message>
         <source>the recorded surfaces show it</source>
-        <translation>die aufgenommenen Oberflächen zeigen es so</translation>
+        <translation>die aufgenommenen Flächen zeigen es so</translation>
     </message>
     <message>
         <source>the recorded surfaces show the opposite</source>
-        <translation>die aufgenommenen Oberflächen zeigen das Gegenteil</translation>
+        <translation>die aufgenommenen Flächen zeigen das Gegenteil</translation>
     </message>
     <message>
         <source>another sheet, one slip of the pen away, states what this one seems to mean</source>
@@ -3531,7 +4521,7 @@
     </message>
     <message>
         <source>the two units lie in different areas</source>
-        <translation>die beiden Befunde liegen in verschiedenen Flächen</translation>
+        <translation>die beiden Befunde liegen in verschiedenen Schnitten</translation>
     </message>
     <message>
         <source>the two units are of different kinds</source>
@@ -3759,7 +4749,7 @@
     </message>
     <message>
         <source>%1 stands in area %2, whose numbers run from %3 to %4</source>
-        <translation>%1 liegt in Fläche %2, deren Nummern von %3 bis %4 gehen</translation>
+        <translation>%1 liegt in Schnitt %2, dessen Nummern von %3 bis %4 gehen</translation>
     </message>
     <message>
         <source>%1: %2 of %3 relations stand on one of the two sheets only, among them: %4</source>
@@ -3782,10 +4772,6 @@
         <translation>%1 Befunde stehen in keiner Folge zu einem anderen Befund, darunter %2</translation>
     </message>
     <message>
-        <source>%1 scans are not on the site grid (planum register), among them %2</source>
-        <translation>%1 Scans liegen nicht im Grabungsnetz (planum register), darunter %2</translation>
-    </message>
-    <message>
         <source>%1 scans are placed poorly, among them %2</source>
         <translation>%1 Scans liegen nur ungenau, darunter %2</translation>
     </message>
@@ -3802,10 +4788,6 @@
         <translation>der Lauf sagt nicht mehr</translation>
     </message>
     <message>
-        <source>%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why</source>
-        <translation>%1 liegt nicht im Grabungsnetz, also folgt nichts daraus; planum register SITE sagt warum</translation>
-    </message>
-    <message>
         <source>%1 patches of ground on which scans of one surface disagree, among them %2</source>
         <translation>%1 Stellen, an denen Scans einer Fläche einander widersprechen, darunter %2</translation>
     </message>
@@ -3816,10 +4798,6 @@
     <message>
         <source>%1 patches of ground rose, among them %2</source>
         <translation>%1 Stellen, an denen der Boden höher liegt als zuvor, darunter %2</translation>
-    </message>
-    <message>
-        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (planum surface set --order)</source>
-        <translation>Am %1 lagen %2 m² von %3 bei %4 in %5 bis %6 m Höhe %7 m höher als am %8; das ist der spätere Tag, steht in der Folge der Flächen aber zuerst: die Flächen in ihre Folge bringen (planum surface set --order)</translation>
     </message>
     <message>
         <source>ground without a unit</source>
@@ -3972,6 +4950,2157 @@
     <message>
         <source>%1 was dug away here; recorded below it are %2</source>
         <translation>%1 wurde hier abgegraben; darunter aufgenommen sind %2</translation>
+    </message>
+    <message>
+        <source>%1 scans are not on the site grid, among them %2</source>
+        <translation>%1 Scans liegen nicht im Grabungsnetz, darunter %2</translation>
+    </message>
+    <message>
+        <source>%1 is not on the site grid, so nothing can be concluded from it; Register in the list of scans says why</source>
+        <translation>%1 liegt nicht im Grabungsnetz, also folgt nichts daraus; Einpassen in der Liste der Scans sagt, warum</translation>
+    </message>
+    <message>
+        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (Finds and lists › Surfaces › Place in time)</source>
+        <translation>Am %1 lagen %2 m² von %3 bei %4 in %5 bis %6 m Höhe %7 m höher als am %8; das ist der spätere Tag, steht in der Folge der Flächen aber zuerst: die Flächen in ihre Folge bringen (Funde und Listen › Flächen › Platz in der Zeit)</translation>
+    </message>
+</context>
+<context>
+    <name>services</name>
+    <message>
+        <source>no such file; Project › New project makes one</source>
+        <translation>die Datei gibt es nicht; Projekt › Neues Projekt legt eine an</translation>
+    </message>
+    <message>
+        <source>not a Planum project</source>
+        <translation>kein Planum-Projekt</translation>
+    </message>
+    <message>
+        <source>no area %1</source>
+        <translation>Schnitt %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no scan %1</source>
+        <translation>Scan %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no surface %1</source>
+        <translation>Fläche %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no region %1</source>
+        <translation>Umriss %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1 has no field %2</source>
+        <translation>%1 hat kein Feld %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 exists already; choose it in the list to change it</source>
+        <translation>%1 %2 gibt es schon; zum Ändern in der Liste wählen</translation>
+    </message>
+    <message>
+        <source>an outline is drawn: on the panorama, in plan or on a section</source>
+        <translation>ein Umriss wird gezeichnet: auf dem Panorama, im Plan oder auf einem Profil</translation>
+    </message>
+    <message>
+        <source>a problem is kept silent with a reason only</source>
+        <translation>ein Problem wird nur mit Begründung stillgestellt</translation>
+    </message>
+    <message>
+        <source>this problem is not open any more; the list was checked again meanwhile</source>
+        <translation>dieses Problem ist nicht mehr offen; die Liste wurde inzwischen neu geprüft</translation>
+    </message>
+    <message>
+        <source>this problem is not in the list any more</source>
+        <translation>dieses Problem steht nicht mehr in der Liste</translation>
+    </message>
+    <message>
+        <source>this suggestion is not open any more</source>
+        <translation>dieser Vorschlag ist nicht mehr offen</translation>
+    </message>
+    <message>
+        <source>%1 is a question; state the relation that you saw, or reject it</source>
+        <translation>%1 ist eine Frage; die gesehene Beziehung angeben oder ablehnen</translation>
+    </message>
+    <message>
+        <source>a suggestion is rejected with a reason only</source>
+        <translation>ein Vorschlag wird nur mit Begründung abgelehnt</translation>
+    </message>
+    <message>
+        <source>there is a reading %1 already; choose another name, or delete it in Finds and lists</source>
+        <translation>die Lesart %1 gibt es schon; einen anderen Namen wählen oder sie unter Funde und Listen löschen</translation>
+    </message>
+    <message>
+        <source>of which day? Put it into a folder named by its date (2025-06-01) and add that</source>
+        <translation>von welchem Tag? In einen Ordner legen, der nach dem Tag heißt (2025-06-01), und diesen aufnehmen</translation>
+    </message>
+    <message>
+        <source>the project has another scan %1 with other content; rename the file or put it into the folder of another day</source>
+        <translation>das Projekt hat schon einen anderen Scan %1 mit anderem Inhalt; die Datei umbenennen oder in den Ordner eines anderen Tages legen</translation>
+    </message>
+    <message>
+        <source>scan %1 has no %2; range and shading can always be drawn</source>
+        <translation>Scan %1 hat keine Werte für %2; Entfernung und Schattierung gehen immer</translation>
+    </message>
+    <message>
+        <source>scan %1: %2 is no longer the file that was added; put that back</source>
+        <translation>Scan %1: %2 ist nicht mehr die Datei, die aufgenommen wurde; diese zurücklegen</translation>
+    </message>
+    <message>
+        <source>%1 is no longer the file that was added; put that back</source>
+        <translation>%1 ist nicht mehr die Datei, die aufgenommen wurde; diese zurücklegen</translation>
+    </message>
+    <message>
+        <source>block %1 with %2 points is damaged; Tools › Verify the project makes it again from the original scan</source>
+        <translation>Block %1 mit %2 Punkten ist beschädigt; Werkzeuge › Projekt prüfen erzeugt ihn aus der Originaldatei neu</translation>
+    </message>
+    <message>
+        <source>this is LAZ, compressed LAS, which is not read here; unpack it to LAS first</source>
+        <translation>das ist LAZ, gepacktes LAS, das hier nicht gelesen wird; erst zu LAS entpacken</translation>
+    </message>
+    <message>
+        <source>marker %1 of %2 is %3 mm from where the file has it; it was kept</source>
+        <translation>Passmarke %1 von %2 liegt %3 mm neben der der Datei; sie blieb</translation>
+    </message>
+    <message>
+        <source>the project&apos;s markers cannot be read: take the change back that spoilt them (Edit › Undo)</source>
+        <translation>die Passmarken des Projekts lassen sich nicht lesen: die Änderung zurücknehmen, die sie verdorben hat (Bearbeiten › Rückgängig)</translation>
+    </message>
+    <message>
+        <source>the project has no scans yet: Add scans takes the folder of a day</source>
+        <translation>das Projekt hat noch keine Scans: Scans aufnehmen nimmt den Ordner eines Tages</translation>
+    </message>
+    <message>
+        <source>every scan is on the site grid already</source>
+        <translation>alle Scans liegen schon im Grabungsnetz</translation>
+    </message>
+    <message>
+        <source>nothing says where the site grid is: import the markers of one scan at least (Markers)</source>
+        <translation>nichts sagt, wo das Grabungsnetz liegt: wenigstens die Passmarken eines Scans einlesen (Passmarken)</translation>
+    </message>
+    <message>
+        <source>there is no registration yet: Register places the scans</source>
+        <translation>es gibt noch keine Registrierung: Einpassen passt die Scans ein</translation>
+    </message>
+    <message>
+        <source>the registration %2 is not in force: %1; Tools › Accept a registration puts it in force, Discard a registration drops it</source>
+        <translation>die Registrierung %2 gilt noch nicht: %1; Werkzeuge › Registrierung annehmen setzt sie in Kraft, Registrierung verwerfen lässt sie fallen</translation>
+    </message>
+    <message>
+        <source>surface %1: none of its scans stands on the site grid; Register in the list of scans places them</source>
+        <translation>Fläche %1: keiner ihrer Scans liegt im Grabungsnetz; Einpassen in der Liste der Scans holt das nach</translation>
+    </message>
+    <message>
+        <source>the project has no surface yet; scans or outlines of a day make them</source>
+        <translation>das Projekt hat noch keine Fläche; Scans oder Umrisse eines Tages legen sie an</translation>
+    </message>
+    <message>
+        <source>neither outlines nor registered scans say where the trench is</source>
+        <translation>weder Umrisse noch eingepasste Scans sagen, wo der Schnitt liegt</translation>
+    </message>
+    <message>
+        <source>it names neither a surface nor a day</source>
+        <translation>es nennt weder Fläche noch Tag</translation>
+    </message>
+    <message>
+        <source>no scan is on the site grid: register the scans first</source>
+        <translation>kein Scan liegt im Grabungsnetz: erst die Scans einpassen</translation>
+    </message>
+    <message>
+        <source>no scan of this surface is on the site grid: register its scans first</source>
+        <translation>kein Scan dieser Fläche liegt im Grabungsnetz: erst ihre Scans einpassen</translation>
+    </message>
+    <message>
+        <source>not recognised: none of the lists that Planum reads (%1)</source>
+        <translation>nicht erkannt: keine der Listen, die Planum liest (%1)</translation>
+    </message>
+    <message>
+        <source>read as %1 (%2)%3</source>
+        <translation>gelesen als %1 (%2)%3</translation>
+    </message>
+    <message>
+        <source>left out: too large for a list; scans are added with Add scans</source>
+        <translation>ausgelassen: zu groß für eine Liste; Scans kommen über Scans aufnehmen dazu</translation>
+    </message>
+    <message>
+        <source>number %1 is used in area %2 and in area %3 and was taken for one unit</source>
+        <translation>Nummer %1 kommt in Schnitt %2 und in Schnitt %3 vor und gilt als ein Befund</translation>
+    </message>
+    <message>
+        <source>site %1 with %2 units was read; left out: %3</source>
+        <translation>Fundplatz %1 mit %2 Befunden wurde gelesen; ausgelassen: %3</translation>
+    </message>
+    <message>
+        <source>none of its rows holds coordinates; its first line must name the columns (name, x, y, z, code, …)</source>
+        <translation>keine ihrer Zeilen enthält Koordinaten; die erste Zeile muss die Spalten nennen (name, x, y, z, code, …)</translation>
+    </message>
+    <message>
+        <source>%1 trenches have a unit %2; the file must say which (TRENCH::NUMBER)</source>
+        <translation>%1 Schnitte haben einen Befund %2; die Datei muss angeben, welchen (SCHNITT::NUMMER)</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>die Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>not an ordinary file</source>
+        <translation>keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>empty; a marker file begins with scan,marker,x,y,z</source>
+        <translation>leer; eine Datei mit Passmarken beginnt mit scan,marker,x,y,z</translation>
+    </message>
+    <message>
+        <source>a database, but not a GeoPackage and so not a Planum project</source>
+        <translation>eine Datenbank, aber kein GeoPackage und so kein Planum-Projekt</translation>
+    </message>
+    <message>
+        <source>a GeoPackage, but not a Planum project</source>
+        <translation>ein GeoPackage, aber kein Planum-Projekt</translation>
+    </message>
+    <message>
+        <source>made with schema version %1, this program knows up to %2: install a newer Planum</source>
+        <translation>mit einem neueren Planum angelegt (Schema %1, dieses Programm kennt bis %2): ein neueres Planum installieren</translation>
+    </message>
+    <message>
+        <source>the table %1 is missing: not a whole Planum project</source>
+        <translation>die Tabelle %1 fehlt: kein vollständiges Planum-Projekt</translation>
+    </message>
+    <message>
+        <source>the table %1 has no column %2: another program rebuilt it; restore a backup</source>
+        <translation>der Tabelle %1 fehlt die Spalte %2: ein anderes Programm hat sie umgebaut; eine Sicherung zurückholen</translation>
+    </message>
+    <message>
+        <source>the table %1 was rebuilt by another program</source>
+        <translation>die Tabelle %1 hat ein anderes Programm umgebaut</translation>
+    </message>
+    <message>
+        <source>the project has no schema version</source>
+        <translation>dem Projekt fehlt die Angabe seiner Version</translation>
+    </message>
+    <message>
+        <source>the project has no settings: restore a backup</source>
+        <translation>dem Projekt fehlen seine Einstellungen: eine Sicherung zurückholen</translation>
+    </message>
+    <message>
+        <source>the file is damaged (%1): restore a backup</source>
+        <translation>die Datei ist beschädigt (%1): eine Sicherung zurückholen</translation>
+    </message>
+    <message>
+        <source>the file is damaged: restore a backup</source>
+        <translation>die Datei ist beschädigt: eine Sicherung zurückholen</translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut short: restore a backup</source>
+        <translation>die Datei ist beschädigt oder abgeschnitten: eine Sicherung zurückholen</translation>
+    </message>
+    <message>
+        <source>the file is cut short: restore a backup</source>
+        <translation>die Datei ist abgeschnitten: eine Sicherung zurückholen</translation>
+    </message>
+    <message>
+        <source>the file is cut short (%1 of %2 bytes): restore a backup</source>
+        <translation>die Datei ist abgeschnitten (%1 von %2 Byte): eine Sicherung zurückholen</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>the file or its folder is read-only</source>
+        <translation>die Datei oder ihr Ordner ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>the file or its folder cannot be written: check the permissions</source>
+        <translation>die Datei oder ihr Ordner lässt sich nicht schreiben: die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>the disk is full: nothing was changed; free some space and try again</source>
+        <translation>die Platte ist voll: nichts wurde geändert; Platz schaffen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>reading or writing the disk failed (%1)</source>
+        <translation>Lesen oder Schreiben der Platte schlug fehl (%1)</translation>
+    </message>
+    <message>
+        <source>in use by another program: close it there and try again</source>
+        <translation>von einem anderen Programm belegt: dort schließen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>an interrupted change has to be taken back first, and the file or its folder cannot be written: copy it with the files beside it to a place that can</source>
+        <translation>erst muss eine unterbrochene Änderung zurückgenommen werden, und die Datei oder ihr Ordner lässt sich nicht schreiben: mit den Dateien daneben an einen beschreibbaren Ort kopieren</translation>
+    </message>
+    <message>
+        <source>cannot be opened: check the name, the folder and the permissions</source>
+        <translation>lässt sich nicht öffnen: Namen, Ordner und Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>cannot be opened: check the permissions</source>
+        <translation>lässt sich nicht öffnen: die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>cannot be opened for reading</source>
+        <translation>lässt sich nicht zum Lesen öffnen</translation>
+    </message>
+    <message>
+        <source>access denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>a value is larger than 64 MB</source>
+        <translation>ein Wert ist größer als 64 MB</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>zu wenig Arbeitsspeicher</translation>
+    </message>
+    <message>
+        <source>another program changed the tables meanwhile: try again</source>
+        <translation>ein anderes Programm hat die Tabellen inzwischen geändert: noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>the record of this change is damaged</source>
+        <translation>das Protokoll dieser Änderung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the record of this change is missing</source>
+        <translation>das Protokoll dieser Änderung fehlt</translation>
+    </message>
+    <message>
+        <source>the record of this change names a table it may not</source>
+        <translation>das Protokoll dieser Änderung nennt eine Tabelle, die es nicht nennen darf</translation>
+    </message>
+    <message>
+        <source>the name of a project must end in .gpkg</source>
+        <translation>der Name eines Projekts muss auf .gpkg enden</translation>
+    </message>
+    <message>
+        <source>a file of this name is there already</source>
+        <translation>eine Datei dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+        <source>opened for reading only</source>
+        <translation>nur zum Lesen geöffnet</translation>
+    </message>
+    <message>
+        <source>may be read but not written, because %1: import it into a new project</source>
+        <translation>darf gelesen, aber nicht geschrieben werden, denn %1: in ein neues Projekt importieren</translation>
+    </message>
+    <message>
+        <source>the %1 %2 was not made by Planum</source>
+        <translation>%1 %2 stammt nicht von Planum</translation>
+    </message>
+    <message>
+        <source>the index %1 was not made by Planum</source>
+        <translation>der Index %1 stammt nicht von Planum</translation>
+    </message>
+    <message>
+        <source>a change that had been interrupted was taken back</source>
+        <translation>eine unterbrochene Änderung wurde zurückgenommen</translation>
+    </message>
+    <message>
+        <source>another program left the file in write-ahead mode (is it open in QGIS?)</source>
+        <translation>ein anderes Programm hat die Datei im Write-Ahead-Modus gelassen (ist sie in QGIS offen?)</translation>
+    </message>
+    <message>
+        <source>the file had been left in write-ahead mode; it was set back</source>
+        <translation>die Datei war im Write-Ahead-Modus geblieben; das wurde zurückgestellt</translation>
+    </message>
+    <message>
+        <source>the file stays in write-ahead mode while another program uses it (is it open in QGIS?)</source>
+        <translation>die Datei bleibt im Write-Ahead-Modus, solange ein anderes Programm sie benutzt (ist sie in QGIS offen?)</translation>
+    </message>
+    <message>
+        <source>brought from schema version %1 to %2</source>
+        <translation>von Schema %1 auf %2 gebracht</translation>
+    </message>
+    <message>
+        <source>the spatial index of the layer %1 was dropped: its triggers cannot run safely; QGIS works without it</source>
+        <translation>der räumliche Index der Ebene %1 wurde entfernt, weil er nicht sicher laufen kann; QGIS arbeitet auch ohne ihn</translation>
+    </message>
+    <message>
+        <source>%1 had been dropped by another program; it was put back</source>
+        <translation>%1 hatte ein anderes Programm entfernt; es wurde wieder angelegt</translation>
+    </message>
+    <message>
+        <source>rows of the table %1 that were added since refer to the %2 it would take away: delete them first</source>
+        <translation>seither angelegte Einträge der Tabelle %1 hängen an %2, was damit fortfiele: diese erst löschen</translation>
+    </message>
+    <message>
+        <source>%1 was changed since by another program; nothing was done</source>
+        <translation>%1 wurde seither von einem anderen Programm geändert; nichts ist geschehen</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; of %3 is no longer possible: undo steps up to then were forgotten</source>
+        <translation>%1 „%2“ von %3 geht nicht mehr: die Schritte bis dahin sind vergessen</translation>
+    </message>
+    <message>
+        <source>there is nothing to take back</source>
+        <translation>es gibt nichts zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>there is nothing to make again</source>
+        <translation>es gibt nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>number already used</source>
+        <translation>die Nummer ist schon vergeben</translation>
+    </message>
+    <message>
+        <source>number already used in area %1</source>
+        <translation>die Nummer ist in Schnitt %1 schon vergeben</translation>
+    </message>
+    <message>
+        <source>it refers to a record that does not exist</source>
+        <translation>es verweist auf etwas, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a value is not allowed (%1)</source>
+        <translation>ein Wert ist nicht erlaubt (%1)</translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation>%1 darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>a record with this id is there already</source>
+        <translation>einen Eintrag mit dieser Kennung gibt es schon</translation>
+    </message>
+    <message>
+        <source>one of this name is there already</source>
+        <translation>eins dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>no field of a unit is called %1</source>
+        <translation>kein Feld eines Befunds heißt %1</translation>
+    </message>
+    <message>
+        <source>no coordinate system EPSG:%1 is known; use -1 for a local grid</source>
+        <translation>kein Koordinatensystem EPSG:%1 bekannt; -1 steht für ein örtliches Netz</translation>
+    </message>
+    <message>
+        <source>%1 is no EPSG code; use -1 for a local grid</source>
+        <translation>%1 ist kein EPSG-Code; -1 steht für ein örtliches Netz</translation>
+    </message>
+    <message>
+        <source>%1 MB, more than the %2 MB that such a file may have</source>
+        <translation>%1 MB, mehr als die %2 MB, die eine solche Datei haben darf</translation>
+    </message>
+    <message>
+        <source>is a project or another database; name another file to write</source>
+        <translation>ist ein Projekt oder eine andere Datenbank; eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>a backup must be another file than the project</source>
+        <translation>eine Sicherung muss eine andere Datei sein als das Projekt</translation>
+    </message>
+    <message>
+        <source>cannot be opened to be written to the disk</source>
+        <translation>lässt sich nicht öffnen, um es auf die Platte zu schreiben</translation>
+    </message>
+    <message>
+        <source>writing to the disk failed</source>
+        <translation>Schreiben auf die Platte schlug fehl</translation>
+    </message>
+    <message>
+        <source>the copy is damaged: check the disk</source>
+        <translation>die Kopie ist beschädigt: die Platte prüfen</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>cannot be removed</source>
+        <translation>lässt sich nicht entfernen</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>reading failed half-way</source>
+        <translation>Lesen brach mittendrin ab</translation>
+    </message>
+    <message>
+        <source>reading failed</source>
+        <translation>Lesen schlug fehl</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>writing to disk</source>
+        <translation>Schreiben auf die Platte</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf der Platte</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>schreibgeschützter Datenträger</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>kein Ordner</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherkontingent erschöpft</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>stopped by the user</source>
+        <translation>vom Benutzer angehalten</translation>
+    </message>
+    <message>
+        <source>is between units of which one was deleted</source>
+        <translation>verbindet Befunde, von denen einer gelöscht ist</translation>
+    </message>
+    <message>
+        <source>belongs to a relation that was deleted</source>
+        <translation>gehört zu einer gelöschten Beziehung</translation>
+    </message>
+    <message>
+        <source>belongs to a unit that was deleted</source>
+        <translation>gehört zu einem gelöschten Befund</translation>
+    </message>
+    <message>
+        <source>is a number that several units have</source>
+        <translation>ist eine Nummer, die mehrere Befunde tragen</translation>
+    </message>
+    <message>
+        <source>drops a relation that does not exist</source>
+        <translation>lässt eine Beziehung weg, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>is listed but does not exist</source>
+        <translation>ist genannt, aber nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>refers to a %1 that does not exist</source>
+        <translation>verweist auf %1, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has no valid uuid</source>
+        <translation>hat keine gültige Kennung</translation>
+    </message>
+    <message>
+        <source>cannot be taken back: %1</source>
+        <translation>lässt sich nicht zurücknehmen: %1</translation>
+    </message>
+    <message>
+        <source>no file to import</source>
+        <translation>keine Datei zum Importieren</translation>
+    </message>
+    <message>
+        <source>could also be read as %1 (%2)</source>
+        <translation>ließe sich auch lesen als %1 (%2)</translation>
+    </message>
+    <message>
+        <source>left out: no record that Planum knows</source>
+        <translation>ausgelassen: keine Aufnahme, die Planum kennt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 relations stand on both sheets, the rest on one; the other side is derived</source>
+        <translation>%1 von %2 Beziehungen stehen auf beiden Bögen, der Rest auf einem; die andere Seite wird abgeleitet</translation>
+    </message>
+    <message>
+        <source>nothing in it but headings</source>
+        <translation>nur Überschriften darin</translation>
+    </message>
+    <message>
+        <source>%1 of the project stay behind: only its record is imported</source>
+        <translation>%1 des Projekts bleiben zurück: importiert wird nur seine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Tables of units, relations, levels, finds, … (.csv)</source>
+        <translation>Tabellen von Befunden, Beziehungen, Nivellements, Funden, … (.csv)</translation>
+    </message>
+    <message>
+        <source>The whole record (.json)</source>
+        <translation>die ganze Aufnahme (.json)</translation>
+    </message>
+    <message>
+        <source>Harris Matrix Composer project (.hmcx, matrix.xml)</source>
+        <translation>Projekt des Harris Matrix Composer (.hmcx, matrix.xml)</translation>
+    </message>
+    <message>
+        <source>Harris Matrix Composer table (.csv)</source>
+        <translation>Tabelle des Harris Matrix Composer (.csv)</translation>
+    </message>
+    <message>
+        <source>ArkMatrix table, simple or tagged (.csv)</source>
+        <translation>Tabelle von ArkMatrix, einfach oder mit Kennwörtern (.csv)</translation>
+    </message>
+    <message>
+        <source>BASP, ArchEd, Stratify dataset (.lst)</source>
+        <translation>Datensatz von BASP, ArchEd, Stratify (.lst)</translation>
+    </message>
+    <message>
+        <source>GraphML of yEd or the Extended Matrix (.graphml)</source>
+        <translation>GraphML von yEd oder der Extended Matrix (.graphml)</translation>
+    </message>
+    <message>
+        <source>iDAI.field / Field Desktop export (.jsonl)</source>
+        <translation>Ausgabe von iDAI.field / Field Desktop (.jsonl)</translation>
+    </message>
+    <message>
+        <source>hm and HMDP tables (contexts, observations, …)</source>
+        <translation>Tabellen von hm und HMDP (contexts, observations, …)</translation>
+    </message>
+    <message>
+        <source>Transcription of excavation books (book, feature, relations)</source>
+        <translation>Abschrift von Grabungstagebüchern (book, feature, relations)</translation>
+    </message>
+    <message>
+        <source>PHASER tables (.csv)</source>
+        <translation>Tabellen von PHASER (.csv)</translation>
+    </message>
+    <message>
+        <source>PHASER graph (.json)</source>
+        <translation>Graph von PHASER (.json)</translation>
+    </message>
+    <message>
+        <source>PolyChron tables (.csv)</source>
+        <translation>Tabellen von PolyChron (.csv)</translation>
+    </message>
+    <message>
+        <source>Stratify table (.csv)</source>
+        <translation>Tabelle von Stratify (.csv)</translation>
+    </message>
+    <message>
+        <source>StratiGraph matrix (.hmatrix.json)</source>
+        <translation>Matrix von StratiGraph (.hmatrix.json)</translation>
+    </message>
+    <message>
+        <source>stratigraphr table (context, above, below, equal)</source>
+        <translation>Tabelle von stratigraphr (context, above, below, equal)</translation>
+    </message>
+    <message>
+        <source>pyArchInit database or CSV tables</source>
+        <translation>Datenbank oder CSV-Tabellen von pyArchInit</translation>
+    </message>
+    <message>
+        <source>columns unit, kind, title, … or unit, relation, other</source>
+        <translation>Spalten unit, kind, title, … oder unit, relation, other</translation>
+    </message>
+    <message>
+        <source>two columns of numbers without a header</source>
+        <translation>zwei Spalten mit Nummern ohne Kopfzeile</translation>
+    </message>
+    <message>
+        <source>rows of unit, value, tag</source>
+        <translation>Zeilen aus unit, value, tag</translation>
+    </message>
+    <message>
+        <source>columns above, below</source>
+        <translation>Spalten above, below</translation>
+    </message>
+    <message>
+        <source>%1; left out</source>
+        <translation>%1; ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1; the line was left out</source>
+        <translation>%1; die Zeile wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 is %2 here and was %3 before; the first is kept</source>
+        <translation>%1 ist hier %2 und war vorher %3; das erste bleibt</translation>
+    </message>
+    <message>
+        <source>the title of %1</source>
+        <translation>die Kurzansprache von %1</translation>
+    </message>
+    <message>
+        <source>the description of %1</source>
+        <translation>die Beschreibung von %1</translation>
+    </message>
+    <message>
+        <source>the interpretation of %1</source>
+        <translation>die Deutung von %1</translation>
+    </message>
+    <message>
+        <source>the label of %1</source>
+        <translation>die Bezeichnung von %1</translation>
+    </message>
+    <message>
+        <source>the name of %1</source>
+        <translation>der Name von %1</translation>
+    </message>
+    <message>
+        <source>the phase of %1</source>
+        <translation>die Phase von %1</translation>
+    </message>
+    <message>
+        <source>the period of %1</source>
+        <translation>die Periode von %1</translation>
+    </message>
+    <message>
+        <source>the first day of %1</source>
+        <translation>der erste Tag von %1</translation>
+    </message>
+    <message>
+        <source>the last day of %1</source>
+        <translation>der letzte Tag von %1</translation>
+    </message>
+    <message>
+        <source>the recorder of %1</source>
+        <translation>der Bearbeiter von %1</translation>
+    </message>
+    <message>
+        <source>the recording day of %1</source>
+        <translation>der Tag der Aufnahme von %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 names no other unit; the relation was left out</source>
+        <translation>%1 von %2 nennt keinen anderen Befund; die Beziehung wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 further notes are not listed</source>
+        <translation>%1 weitere Bemerkungen sind nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>more than two cells; only two were read</source>
+        <translation>mehr als zwei Zellen; nur zwei wurden gelesen</translation>
+    </message>
+    <message>
+        <source>not three cells: unit, value, tag</source>
+        <translation>keine drei Zellen: unit, value, tag</translation>
+    </message>
+    <message>
+        <source>a line without a unit was left out</source>
+        <translation>eine Zeile ohne Befund wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>a line without a unit number was left out</source>
+        <translation>eine Zeile ohne Befundnummer wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>a line without a group was left out</source>
+        <translation>eine Zeile ohne Gruppe wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>a unit without a number was left out</source>
+        <translation>ein Befund ohne Nummer wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>a level without a height z was left out</source>
+        <translation>ein Nivellement ohne Höhe z wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>the tag %1 is not known</source>
+        <translation>das Kennwort %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the class %1 is not known</source>
+        <translation>die Klasse %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the class %1 is not known; taken as context</source>
+        <translation>die Klasse %1 ist unbekannt; als Befund genommen</translation>
+    </message>
+    <message>
+        <source>the status %1 is not known</source>
+        <translation>der Stand %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the status %1 is not known; there are %2</source>
+        <translation>der Stand %1 ist unbekannt; es gibt %2</translation>
+    </message>
+    <message>
+        <source>the kind %1 is not known; kept as a free field</source>
+        <translation>die Art %1 ist unbekannt; als freies Feld behalten</translation>
+    </message>
+    <message>
+        <source>the form %1 is not known</source>
+        <translation>die Form %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the role %1 is not known; taken as other</source>
+        <translation>die Bedeutung %1 der Höhe ist unbekannt; als sonstige genommen</translation>
+    </message>
+    <message>
+        <source>the method %1 is not known</source>
+        <translation>das Verfahren %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the kind of dating %1 is not known</source>
+        <translation>die Art der Datierung %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the key %1 is not known</source>
+        <translation>das Stichwort %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the type %1 of %2 is not known</source>
+        <translation>der Typ %1 von %2 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the unit type %1 of %2 is not known</source>
+        <translation>die Befundart %1 von %2 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the edge type %1 is not known</source>
+        <translation>die Art der Verbindung %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the relation %1 is not known</source>
+        <translation>die Beziehung %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no relation word known here</source>
+        <translation>„%1“ ist hier kein bekanntes Wort für eine Beziehung</translation>
+    </message>
+    <message>
+        <source>the field %1 is not known; kept among the free fields</source>
+        <translation>das Feld %1 ist unbekannt; bei den freien Feldern behalten</translation>
+    </message>
+    <message>
+        <source>the column %1 is not known; kept among the free fields</source>
+        <translation>die Spalte %1 ist unbekannt; bei den freien Feldern behalten</translation>
+    </message>
+    <message>
+        <source>the column %1 is not known</source>
+        <translation>die Spalte %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>certainty is certain or uncertain, not %1; taken as certain</source>
+        <translation>certainty ist certain oder uncertain, nicht %1; als sicher genommen</translation>
+    </message>
+    <message>
+        <source>a level needs a unit and a height z</source>
+        <translation>ein Nivellement braucht einen Befund und eine Höhe z</translation>
+    </message>
+    <message>
+        <source>%1 is not a number in the column %2</source>
+        <translation>%1 ist keine Zahl (Spalte %2)</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number in the column %2</source>
+        <translation>%1 ist keine ganze Zahl (Spalte %2)</translation>
+    </message>
+    <message>
+        <source>%1 is not a date in the column %2 (2025-06-01)</source>
+        <translation>%1 ist kein Tag (Spalte %2, geschrieben wie 2025-06-01)</translation>
+    </message>
+    <message>
+        <source>no table of ours; looked in the first line for the columns %1</source>
+        <translation>keine Tabelle von Planum; in der ersten Zeile gesucht: die Spalten %1</translation>
+    </message>
+    <message>
+        <source>%1 characters are no text in %2 and were replaced</source>
+        <translation>%1 Zeichen sind kein Text in %2 und wurden ersetzt</translation>
+    </message>
+    <message>
+        <source>the table has more than %1 cells; what follows was not read</source>
+        <translation>die Tabelle hat mehr als %1 Zellen; was folgt, wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a quotation mark is opened and never closed; taken as a character</source>
+        <translation>ein Anführungszeichen wird geöffnet und nie geschlossen; als Zeichen genommen</translation>
+    </message>
+    <message>
+        <source>a node without label; named by its id, %1</source>
+        <translation>ein Knoten ohne Beschriftung; nach seiner Kennung %1 benannt</translation>
+    </message>
+    <message>
+        <source>two nodes are called %1; they are taken for one</source>
+        <translation>zwei Knoten heißen %1; sie gelten als einer</translation>
+    </message>
+    <message>
+        <source>an edge ends at a node that is not in the file</source>
+        <translation>eine Verbindung endet an einem Knoten, der nicht in der Datei ist</translation>
+    </message>
+    <message>
+        <source>an edge of a group was left out; only units have relations</source>
+        <translation>die Verbindung einer Gruppe wurde ausgelassen; nur Befunde haben Beziehungen</translation>
+    </message>
+    <message>
+        <source>a relation of a group was left out; only units have relations</source>
+        <translation>die Beziehung einer Gruppe wurde ausgelassen; nur Befunde haben Beziehungen</translation>
+    </message>
+    <message>
+        <source>a relation of a group of units was left out; only units have relations</source>
+        <translation>die Beziehung einer Gruppe wurde ausgelassen; nur Befunde haben Beziehungen</translation>
+    </message>
+    <message>
+        <source>a row without number of a unit</source>
+        <translation>eine Zeile ohne Befundnummer</translation>
+    </message>
+    <message>
+        <source>more than %1 units</source>
+        <translation>mehr als %1 Befunde</translation>
+    </message>
+    <message>
+        <source>more than %1 relations</source>
+        <translation>mehr als %1 Beziehungen</translation>
+    </message>
+    <message>
+        <source>binary, not %1</source>
+        <translation>binär, nicht %1</translation>
+    </message>
+    <message>
+        <source>unit %1: %2 is no number</source>
+        <translation>Befund %1: %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it holds no points</source>
+        <translation>darin sind keine Punkte</translation>
+    </message>
+    <message>
+        <source>columns %1: there is no x and y</source>
+        <translation>Spalten %1: x und y fehlen</translation>
+    </message>
+    <message>
+        <source>no coordinates; the row was left out</source>
+        <translation>keine Koordinaten; die Zeile wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>it is a binary drawing; save it as ASCII DXF</source>
+        <translation>es ist eine binäre Zeichnung; als ASCII-DXF sichern</translation>
+    </message>
+    <message>
+        <source>it holds no POINT, INSERT or TEXT</source>
+        <translation>darin ist kein POINT, INSERT oder TEXT</translation>
+    </message>
+    <message>
+        <source>a level without a height was left out</source>
+        <translation>ein Nivellement ohne Höhe wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>from here on, %1 levels without a height were left out</source>
+        <translation>ab hier wurden %1 Nivellements ohne Höhe ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: no unit %2; near it: %3</source>
+        <translation>%1: Befund %2 gibt es nicht; ähnlich: %3</translation>
+    </message>
+    <message>
+        <source>%1: no unit %2</source>
+        <translation>%1: Befund %2 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>a level without a unit was left out</source>
+        <translation>ein Nivellement ohne Befund wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>a find without a number was left out</source>
+        <translation>ein Fund ohne Nummer wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>building the matrix</source>
+        <translation>Matrix wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>looking for circles</source>
+        <translation>Kreise suchen</translation>
+    </message>
+    <message>
+        <source>comparing relations</source>
+        <translation>Beziehungen vergleichen</translation>
+    </message>
+    <message>
+        <source>comparing levels</source>
+        <translation>Nivellements vergleichen</translation>
+    </message>
+    <message>
+        <source>comparing dates</source>
+        <translation>Datierungen vergleichen</translation>
+    </message>
+    <message>
+        <source>comparing phases</source>
+        <translation>Phasen vergleichen</translation>
+    </message>
+    <message>
+        <source>following the digging</source>
+        <translation>Dem Graben nachgehen</translation>
+    </message>
+    <message>
+        <source>looking at kinds</source>
+        <translation>Arten ansehen</translation>
+    </message>
+    <message>
+        <source>looking at numbers</source>
+        <translation>Nummern ansehen</translation>
+    </message>
+    <message>
+        <source>looking at sources</source>
+        <translation>Quellen ansehen</translation>
+    </message>
+    <message>
+        <source>looking at scans</source>
+        <translation>Scans ansehen</translation>
+    </message>
+    <message>
+        <source>looking at outlines</source>
+        <translation>Umrisse ansehen</translation>
+    </message>
+    <message>
+        <source>looking at ground that changed</source>
+        <translation>Geänderten Boden ansehen</translation>
+    </message>
+    <message>
+        <source>counting redundant relations</source>
+        <translation>Ableitbare Beziehungen zählen</translation>
+    </message>
+    <message>
+        <source>checking pages</source>
+        <translation>Seiten prüfen</translation>
+    </message>
+    <message>
+        <source>checking references</source>
+        <translation>Verweise prüfen</translation>
+    </message>
+    <message>
+        <source>checking rules</source>
+        <translation>Regeln prüfen</translation>
+    </message>
+    <message>
+        <source>checking changes</source>
+        <translation>Änderungen prüfen</translation>
+    </message>
+    <message>
+        <source>checking %1 scans and their points</source>
+        <translation>%1 Scans und ihre Punkte prüfen</translation>
+    </message>
+    <message>
+        <source>reading the record</source>
+        <translation>Aufnahme lesen</translation>
+    </message>
+    <message>
+        <source>copying the project</source>
+        <translation>Projekt kopieren</translation>
+    </message>
+    <message>
+        <source>looking for features</source>
+        <translation>Merkmale suchen</translation>
+    </message>
+    <message>
+        <source>thinning %1</source>
+        <translation>%1 ausdünnen</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>writing the PDF</source>
+        <translation>PDF schreiben</translation>
+    </message>
+    <message>
+        <source>writing %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>looking into %1</source>
+        <translation>Blick in %1</translation>
+    </message>
+    <message>
+        <source>looking at what %1 shows</source>
+        <translation>Ansehen, was %1 zeigt</translation>
+    </message>
+    <message>
+        <source>making the point store of %1 again</source>
+        <translation>Punkte von %1 neu anlegen</translation>
+    </message>
+    <message>
+        <source>unrolling %1</source>
+        <translation>%1 abrollen</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>drawing the matrix</source>
+        <translation>Matrix zeichnen</translation>
+    </message>
+    <message>
+        <source>cleaning</source>
+        <translation>Aufräumen</translation>
+    </message>
+    <message>
+        <source>reading colours</source>
+        <translation>Farben lesen</translation>
+    </message>
+    <message>
+        <source>comparing %1</source>
+        <translation>%1 vergleichen</translation>
+    </message>
+    <message>
+        <source>comparing surfaces</source>
+        <translation>Flächen vergleichen</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+    <message>
+        <source>merging</source>
+        <translation>Zusammenführen</translation>
+    </message>
+    <message>
+        <source>importing the sheets</source>
+        <translation>Bögen importieren</translation>
+    </message>
+    <message>
+        <source>taking the outlines in</source>
+        <translation>Umrisse aufnehmen</translation>
+    </message>
+    <message>
+        <source>drawing and reporting</source>
+        <translation>Zeichnen und berichten</translation>
+    </message>
+    <message>
+        <source>letting a site come to be</source>
+        <translation>Fundplatz entstehen lassen</translation>
+    </message>
+    <message>
+        <source>looking at what touches what</source>
+        <translation>Ansehen, was was berührt</translation>
+    </message>
+    <message>
+        <source>digging it</source>
+        <translation>Graben</translation>
+    </message>
+    <message>
+        <source>drawing and writing sheets</source>
+        <translation>Bögen zeichnen und schreiben</translation>
+    </message>
+    <message>
+        <source>scanning %1</source>
+        <translation>%1 scannen</translation>
+    </message>
+    <message>
+        <source>looking for ground that changed</source>
+        <translation>Geänderten Boden suchen</translation>
+    </message>
+    <message>
+        <source>fine alignment</source>
+        <translation>Feinausrichtung</translation>
+    </message>
+    <message>
+        <source>relaxing all poses</source>
+        <translation>Alle Lagen ausgleichen</translation>
+    </message>
+    <message>
+        <source>global relaxation</source>
+        <translation>Gesamtausgleich</translation>
+    </message>
+    <message>
+        <source>sorting the points of %1</source>
+        <translation>Punkte von %1 sortieren</translation>
+    </message>
+    <message>
+        <source>reading points into cells</source>
+        <translation>Punkte in Zellen lesen</translation>
+    </message>
+    <message>
+        <source>making the surface</source>
+        <translation>Fläche berechnen</translation>
+    </message>
+    <message>
+        <source>aligning %1 pairs of scans</source>
+        <translation>%1 Paare von Scans ausrichten</translation>
+    </message>
+    <message>
+        <source>registering %1 scans</source>
+        <translation>%1 Scans einpassen</translation>
+    </message>
+    <message>
+        <source>adding %1 scan files</source>
+        <translation>%1 Scandateien aufnehmen</translation>
+    </message>
+    <message>
+        <source>laying the matrix out with graphviz</source>
+        <translation>Matrix mit Graphviz anordnen</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>dating</source>
+        <translation>Datierung</translation>
+    </message>
+    <message>
+        <source>document</source>
+        <translation>Unterlage</translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>interpretation</source>
+        <translation>Lesart</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Nivellement</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>relation</source>
+        <translation>Beziehung</translation>
+    </message>
+    <message>
+        <source>relation below</source>
+        <translation>Beziehung nach unten</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is no day; write YYYY-MM-DD</source>
+        <translation>%1 ist kein Tag; JJJJ-MM-TT schreiben</translation>
+    </message>
+    <message>
+        <source>%1 is none of %2</source>
+        <translation>%1 ist keins von %2</translation>
+    </message>
+    <message>
+        <source>there is no %1; add it first</source>
+        <translation>%1 gibt es nicht; erst anlegen</translation>
+    </message>
+    <message>
+        <source>no area %1; add it first</source>
+        <translation>Schnitt %1 gibt es nicht; erst anlegen</translation>
+    </message>
+    <message>
+        <source>no dating %1</source>
+        <translation>Datierung %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no document %1</source>
+        <translation>Unterlage %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no find %1</source>
+        <translation>Fund %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no group %1</source>
+        <translation>Gruppe %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no interpretation %1</source>
+        <translation>Lesart %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no level %1</source>
+        <translation>Nivellement %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no period %1</source>
+        <translation>Periode %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no phase %1</source>
+        <translation>Phase %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no relation %1</source>
+        <translation>Beziehung %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no sample %1</source>
+        <translation>Probe %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no unit %1</source>
+        <translation>Befund %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no unit %1; near it: %2</source>
+        <translation>Befund %1 gibt es nicht; ähnlich: %2</translation>
+    </message>
+    <message>
+        <source>a %1 needs a name</source>
+        <translation>%1: der Name fehlt</translation>
+    </message>
+    <message>
+        <source>a unit needs a number</source>
+        <translation>ein Befund braucht eine Nummer</translation>
+    </message>
+    <message>
+        <source>a level needs a height</source>
+        <translation>ein Nivellement braucht eine Höhe</translation>
+    </message>
+    <message>
+        <source>unit %1 is used in %2 areas; say which: %3</source>
+        <translation>Befund %1 gibt es in %2 Schnitten; angeben, welcher: %3</translation>
+    </message>
+    <message>
+        <source>a relation is UNIT RELATION UNIT, as in 1042 cuts 1017, not %1</source>
+        <translation>eine Beziehung ist BEFUND BEZIEHUNG BEFUND wie in 1042 schneidet 1017, nicht %1</translation>
+    </message>
+    <message>
+        <source>%1 is no relation; known are %2</source>
+        <translation>%1 ist keine Beziehung; bekannt sind %2</translation>
+    </message>
+    <message>
+        <source>nothing in the record is called %1</source>
+        <translation>nichts in der Aufnahme heißt %1</translation>
+    </message>
+    <message>
+        <source>a correction needs a reason</source>
+        <translation>eine Berichtigung braucht eine Begründung</translation>
+    </message>
+    <message>
+        <source>that is the relation as it stands</source>
+        <translation>so steht die Beziehung schon da</translation>
+    </message>
+    <message>
+        <source>the relation is not in the record any more</source>
+        <translation>die Beziehung steht nicht mehr in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>the unit is not in the record any more</source>
+        <translation>den Befund gibt es in der Aufnahme nicht mehr</translation>
+    </message>
+    <message>
+        <source>the new unit needs a number</source>
+        <translation>der neue Befund braucht eine Nummer</translation>
+    </message>
+    <message>
+        <source>%1 is no kind of unit</source>
+        <translation>%1 ist keine Art von Befund</translation>
+    </message>
+    <message>
+        <source>no relation %1 %2 %3 in what the interpretation is of</source>
+        <translation>die Beziehung %1 %2 %3 gibt es nicht in dem, was die Lesart liest</translation>
+    </message>
+    <message>
+        <source>there is no interpretation %1; add it first</source>
+        <translation>die Lesart %1 gibt es nicht; erst anlegen</translation>
+    </message>
+    <message>
+        <source>%1 is read from %2 itself</source>
+        <translation>%1 geht selbst von %2 aus</translation>
+    </message>
+    <message>
+        <source>interpretation %1: %2 starts from it; give that another parent or delete it first</source>
+        <translation>Lesart %1: %2 geht von ihr aus; dieser erst einen anderen Ausgang geben oder sie löschen</translation>
+    </message>
+    <message>
+        <source>metres, not below 0</source>
+        <translation>in Metern, nicht unter 0</translation>
+    </message>
+    <message>
+        <source>cannot read “%1”; write x y z, x y z, … or POLYGON((…))</source>
+        <translation>„%1“ lässt sich nicht lesen; x y z, x y z, … oder POLYGON((…)) schreiben</translation>
+    </message>
+    <message>
+        <source>name a new region SURFACE/UNIT</source>
+        <translation>einen neuen Umriss FLÄCHE/BEFUND nennen</translation>
+    </message>
+    <message>
+        <source>the region is no longer there</source>
+        <translation>den Umriss gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>its outline was changed meanwhile; nothing was done</source>
+        <translation>sein Umriss wurde inzwischen geändert; nichts ist geschehen</translation>
+    </message>
+    <message>
+        <source>outline mended: %1</source>
+        <translation>Umriss ausgebessert: %1</translation>
+    </message>
+    <message>
+        <source>scans and outlines do not show this contradiction any more; check again</source>
+        <translation>Scans und Umrisse zeigen diesen Widerspruch nicht mehr</translation>
+    </message>
+    <message>
+        <source>no section shows this contradiction any more; check again</source>
+        <translation>kein Profil zeigt diesen Widerspruch mehr</translation>
+    </message>
+    <message>
+        <source>the surfaces propose nothing; outlines on two surfaces of an area with registered scans are needed</source>
+        <translation>die Flächen schlagen nichts vor; es braucht Umrisse auf zwei Flächen eines Schnitts mit eingepassten Scans</translation>
+    </message>
+    <message>
+        <source>name in full</source>
+        <translation>ausgeschriebener Name</translation>
+    </message>
+    <message>
+        <source>first year, negative = BCE</source>
+        <translation>erstes Jahr, negativ = v. Chr.</translation>
+    </message>
+    <message>
+        <source>last year, negative = BCE</source>
+        <translation>letztes Jahr, negativ = v. Chr.</translation>
+    </message>
+    <message>
+        <source>order in time, 1 = earliest</source>
+        <translation>Folge in der Zeit, 1 = frühester</translation>
+    </message>
+    <message>
+        <source>its period</source>
+        <translation>seine Periode</translation>
+    </message>
+    <message>
+        <source>group, subgroup, landuse, activity, …</source>
+        <translation>Gruppe, Untergruppe, Nutzung, Tätigkeit, …</translation>
+    </message>
+    <message>
+        <source>group it is part of</source>
+        <translation>Gruppe, zu der sie gehört</translation>
+    </message>
+    <message>
+        <source>its units, separated by commas</source>
+        <translation>ihre Befunde, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>unit it dates</source>
+        <translation>Befund, den sie datiert</translation>
+    </message>
+    <message>
+        <source>kind of evidence</source>
+        <translation>Art des Hinweises</translation>
+    </message>
+    <message>
+        <source>earliest year, negative = BCE</source>
+        <translation>frühestes Jahr, negativ = v. Chr.</translation>
+    </message>
+    <message>
+        <source>latest year, negative = BCE</source>
+        <translation>spätestes Jahr, negativ = v. Chr.</translation>
+    </message>
+    <message>
+        <source>uncalibrated radiocarbon age [years BP]</source>
+        <translation>unkalibriertes Radiokohlenstoffalter [Jahre BP]</translation>
+    </message>
+    <message>
+        <source>its sigma [years]</source>
+        <translation>sein Sigma [Jahre]</translation>
+    </message>
+    <message>
+        <source>find it rests on</source>
+        <translation>Fund, auf dem sie beruht</translation>
+    </message>
+    <message>
+        <source>direct, disjunct, disparate</source>
+        <translation>direct (unmittelbar), disjunct, disparate</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>the interpretation it starts from (default: the field record)</source>
+        <translation>die Lesart, von der sie ausgeht (leer: die Aufnahme)</translation>
+    </message>
+    <message>
+        <source>relations it adds, as in &quot;1 covers 2; 3 cuts 4&quot;; set adds to those there</source>
+        <translation>Beziehungen, die sie hinzufügt, wie „1 über 2; 3 schneidet 4“; neue kommen zu den vorhandenen</translation>
+    </message>
+    <message>
+        <source>relations it leaves out; set adds to those there; &quot;adds&quot; brings one back</source>
+        <translation>Beziehungen, die sie weglässt; neue kommen zu den vorhandenen; „Fügt hinzu“ holt eine zurück</translation>
+    </message>
+    <message>
+        <source>who reads it so (default: you)</source>
+        <translation>wer es so liest (leer: Sie)</translation>
+    </message>
+    <message>
+        <source>unit it was found in</source>
+        <translation>Befund, in dem er lag</translation>
+    </message>
+    <message>
+        <source>site grid [m]</source>
+        <translation>Grabungsnetz [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>Höhe [m]</translation>
+    </message>
+    <message>
+        <source>what it is</source>
+        <translation>was es ist</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>how many</source>
+        <translation>wie viele</translation>
+    </message>
+    <message>
+        <source>weight [g]</source>
+        <translation>Gewicht [g]</translation>
+    </message>
+    <message>
+        <source>condition</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>box or bag</source>
+        <translation>Kiste oder Tüte</translation>
+    </message>
+    <message>
+        <source>day it was found</source>
+        <translation>Tag, an dem er gefunden wurde</translation>
+    </message>
+    <message>
+        <source>description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>unit it was taken from</source>
+        <translation>Befund, aus dem sie stammt</translation>
+    </message>
+    <message>
+        <source>soil, C14, charcoal, pollen, …</source>
+        <translation>Boden, C14, Holzkohle, Pollen, …</translation>
+    </message>
+    <message>
+        <source>volume [l]</source>
+        <translation>Volumen [l]</translation>
+    </message>
+    <message>
+        <source>number the laboratory gave</source>
+        <translation>Nummer des Labors</translation>
+    </message>
+    <message>
+        <source>stored, submitted, analysed, discarded</source>
+        <translation>eingelagert, eingereicht, ausgewertet, verworfen</translation>
+    </message>
+    <message>
+        <source>unit it shows</source>
+        <translation>Befund, den sie zeigt</translation>
+    </message>
+    <message>
+        <source>photo, drawing, sheet, …</source>
+        <translation>Foto, Zeichnung, Bogen, …</translation>
+    </message>
+    <message>
+        <source>title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>file, relative to the project</source>
+        <translation>Datei, vom Ordner des Projekts aus</translation>
+    </message>
+    <message>
+        <source>day it was made</source>
+        <translation>Tag, an dem sie entstand</translation>
+    </message>
+    <message>
+        <source>author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>what the height stands for</source>
+        <translation>wofür die Höhe steht</translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation>Bezeichnung</translation>
+    </message>
+    <message>
+        <source>how it is dug</source>
+        <translation>wie er gegraben wird</translation>
+    </message>
+    <message>
+        <source>first unit number issued to it</source>
+        <translation>erste Befundnummer, die ihm zugeteilt ist</translation>
+    </message>
+    <message>
+        <source>last unit number issued to it</source>
+        <translation>letzte Befundnummer, die ihm zugeteilt ist</translation>
+    </message>
+    <message>
+        <source>trench</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>how it was made</source>
+        <translation>wie sie entstand</translation>
+    </message>
+    <message>
+        <source>first day</source>
+        <translation>erster Tag</translation>
+    </message>
+    <message>
+        <source>last day</source>
+        <translation>letzter Tag</translation>
+    </message>
+    <message>
+        <source>place in time among the surfaces of its area</source>
+        <translation>Platz in der Zeit unter den Flächen ihres Schnitts</translation>
+    </message>
+    <message>
+        <source>unit it shows; empty: none</source>
+        <translation>Befund, den er zeigt; leer: keiner</translation>
+    </message>
+    <message>
+        <source>what it encloses</source>
+        <translation>was er umschließt</translation>
+    </message>
+    <message>
+        <source>what of the unit it shows</source>
+        <translation>was vom Befund er zeigt</translation>
+    </message>
+    <message>
+        <source>corners in site coordinates: &quot;x y z, x y z, …&quot; or without heights, or WKT</source>
+        <translation>Ecken im Grabungsnetz: „x y z, x y z, …“ oder ohne Höhen, oder WKT</translation>
+    </message>
+    <message>
+        <source>uncertainty of the outline [m]</source>
+        <translation>Unsicherheit des Umrisses [m]</translation>
+    </message>
+    <message>
+        <source>cut whose side shows it</source>
+        <translation>Eingriff, dessen Wand ihn zeigt</translation>
+    </message>
+    <message>
+        <source>no scan file there (%1)</source>
+        <translation>keine Scandatei darin (%1)</translation>
+    </message>
+    <message>
+        <source>not the ending of a scan</source>
+        <translation>nicht die Endung eines Scans</translation>
+    </message>
+    <message>
+        <source>has no scan in it</source>
+        <translation>enthält keinen Scan</translation>
+    </message>
+    <message>
+        <source>the project has another scan %1 with other content</source>
+        <translation>das Projekt hat schon einen anderen Scan %1 mit anderem Inhalt</translation>
+    </message>
+    <message>
+        <source>has no valid point</source>
+        <translation>hat keinen gültigen Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points over 131 km away were left out</source>
+        <translation>%1 Punkte in über 131 km Entfernung wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>columns read as %1</source>
+        <translation>Spalten gelesen als %1</translation>
+    </message>
+    <message>
+        <source>the day is the one written in the file</source>
+        <translation>der Tag ist der, der in der Datei steht</translation>
+    </message>
+    <message>
+        <source>surface %1 exists in several areas; say which area</source>
+        <translation>Fläche %1 gibt es in mehreren Schnitten; angeben, in welchem</translation>
+    </message>
+    <message>
+        <source>%1 %2: not a day of the calendar as 2025-06-01</source>
+        <translation>%1 %2: kein Tag des Kalenders wie 2025-06-01</translation>
+    </message>
+    <message>
+        <source>scan %1: the original %2 is not there</source>
+        <translation>Scan %1: die Originaldatei %2 ist nicht da</translation>
+    </message>
+    <message>
+        <source>scan %1 has no points: there is nothing to unroll</source>
+        <translation>Scan %1 hat keine Punkte: es gibt nichts abzurollen</translation>
+    </message>
+    <message>
+        <source>reflectance</source>
+        <translation>Reflektanz</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>scan %1: its points are not in %2 and the original %3 is not there either; put it back or add the scan again from where it is now</source>
+        <translation>Scan %1: seine Punkte liegen nicht in %2, und die Originaldatei %3 ist auch nicht da; sie zurücklegen oder den Scan von seinem jetzigen Ort neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>its original is not there: %1</source>
+        <translation>die Originaldatei ist nicht da: %1</translation>
+    </message>
+    <message>
+        <source>put it back, its points could not be made again</source>
+        <translation>sie zurücklegen, ihre Punkte ließen sich sonst nicht wieder erzeugen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 blocks of its point store are damaged, the first at byte %3 with %4 points</source>
+        <translation>%1 von %2 Blöcken der Punktdatei sind beschädigt, der erste bei Byte %3 mit %4 Punkten</translation>
+    </message>
+    <message>
+        <source>its point store is damaged: %1</source>
+        <translation>die Punktdatei ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>made again from the original</source>
+        <translation>aus der Originaldatei neu erzeugt</translation>
+    </message>
+    <message>
+        <source>it could not be made again: %1</source>
+        <translation>sie ließ sich nicht neu erzeugen: %1</translation>
+    </message>
+    <message>
+        <source>no column %1; a marker file begins with scan,marker,x,y,z</source>
+        <translation>keine Spalte %1; eine Datei mit Passmarken beginnt mit scan,marker,x,y,z</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>nothing under %1</source>
+        <translation>nichts unter %1</translation>
+    </message>
+    <message>
+        <source>a marker without a name</source>
+        <translation>eine Passmarke ohne Namen</translation>
+    </message>
+    <message>
+        <source>“%1” is no %2 coordinate</source>
+        <translation>„%1“ ist keine Koordinate %2</translation>
+    </message>
+    <message>
+        <source>nothing under scan; rows of the survey say site there</source>
+        <translation>nichts unter scan; bei eingemessenen Passmarken steht dort site</translation>
+    </message>
+    <message>
+        <source>the marker %1 of %2 a second time</source>
+        <translation>die Passmarke %1 von %2 ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>the project has no scan %1 (yet)</source>
+        <translation>das Projekt hat (noch) keinen Scan %1</translation>
+    </message>
+    <message>
+        <source>marker %1 of %2 was not surveyed</source>
+        <translation>Passmarke %1 von %2 wurde nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>no scan was made on %1</source>
+        <translation>am %1 wurde nicht gescannt</translation>
+    </message>
+    <message>
+        <source>placed by %1</source>
+        <translation>eingepasst über %1</translation>
+    </message>
+    <message>
+        <source>poorly placed by %1: %2</source>
+        <translation>unsicher eingepasst über %1: %2</translation>
+    </message>
+    <message>
+        <source>its own frame, which is taken for the site grid</source>
+        <translation>sein eigenes Netz, das als Grabungsnetz gilt</translation>
+    </message>
+    <message>
+        <source>%1 markers</source>
+        <translation>%1 Passmarken</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verknüpfung</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>%1 markers and 1 link</source>
+        <translation>%1 Passmarken und 1 Verknüpfung</translation>
+    </message>
+    <message>
+        <source>%1 markers and %2 links</source>
+        <translation>%1 Passmarken und %2 Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>its position is only known to %1 mm</source>
+        <translation>seine Lage ist nur auf %1 mm bekannt</translation>
+    </message>
+    <message>
+        <source>its direction is only known to %1 degrees</source>
+        <translation>seine Richtung ist nur auf %1 Grad bekannt</translation>
+    </message>
+    <message>
+        <source>it was placed by features alone, which are good to centimetres</source>
+        <translation>er wurde nur über Merkmale eingepasst, die auf Zentimeter genau sind</translation>
+    </message>
+    <message>
+        <source>marker %1 left out: %2</source>
+        <translation>Passmarke %1 weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>%1 left out: %2</source>
+        <translation>%1 weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>its markers were left out: %1</source>
+        <translation>seine Passmarken wurden weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>relaxation took the links&apos; errors from %1 to %2 standard deviations (root mean square); of %3 links %4 gave way to others, none is off by more than %5</source>
+        <translation>der Ausgleich brachte die Fehler der Verknüpfungen von %1 auf %2 Standardabweichungen (quadratisches Mittel); von %3 Verknüpfungen gaben %4 anderen nach, keine liegt um mehr als %5 daneben</translation>
+    </message>
+    <message>
+        <source>not placed: the scan has no points</source>
+        <translation>nicht eingepasst: der Scan hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>not placed: %1</source>
+        <translation>nicht eingepasst: %1</translation>
+    </message>
+    <message>
+        <source>its markers: %1</source>
+        <translation>seine Passmarken: %1</translation>
+    </message>
+    <message>
+        <source>no markers were measured in it</source>
+        <translation>in ihm wurden keine Passmarken gemessen</translation>
+    </message>
+    <message>
+        <source>it hangs together with %1, but nothing says where these are on the site grid</source>
+        <translation>er hängt mit %1 zusammen, aber nichts sagt, wo diese im Grabungsnetz liegen</translation>
+    </message>
+    <message>
+        <source>no start value near that of another scan</source>
+        <translation>kein Startwert nahe dem eines anderen Scans</translation>
+    </message>
+    <message>
+        <source>it shares too little with the other scans: at best %1 places look alike and lie the same way to each other</source>
+        <translation>er hat zu wenig mit den anderen Scans gemeinsam: höchstens %1 Stellen sehen gleich aus und liegen gleich zueinander</translation>
+    </message>
+    <message>
+        <source>the report of a registration run cannot be read; discard the run</source>
+        <translation>der Bericht einer Registrierung lässt sich nicht lesen; sie verwerfen</translation>
+    </message>
+    <message>
+        <source>no registration run %1; there are %2</source>
+        <translation>Registrierung %1 gibt es nicht; es gibt %2</translation>
+    </message>
+    <message>
+        <source>registration run %1 is accepted already</source>
+        <translation>Registrierung %1 ist schon angenommen</translation>
+    </message>
+    <message>
+        <source>registration run %1 is discarded already</source>
+        <translation>Registrierung %1 ist schon verworfen</translation>
+    </message>
+    <message>
+        <source>nothing was placed</source>
+        <translation>nichts wurde eingepasst</translation>
+    </message>
+    <message>
+        <source>proposed only, as asked</source>
+        <translation>nur vorgeschlagen, wie gewünscht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans are placed poorly (%3)</source>
+        <translation>%1 von %2 Scans liegen unsicher (%3)</translation>
+    </message>
+    <message>
+        <source>scan %1 was removed while it was registered; nothing was kept</source>
+        <translation>Scan %1 wurde während des Einpassens entfernt; nichts wurde behalten</translation>
+    </message>
+    <message>
+        <source>aligned on %1 of %2 pieces of ground, %3 mm rms, σ %4 mm and %5°</source>
+        <translation>auf %1 von %2 Bodenstücken ausgerichtet, %3 mm rms, σ %4 mm und %5°</translation>
+    </message>
+    <message>
+        <source>not in the survey</source>
+        <translation>nicht eingemessen</translation>
+    </message>
+    <message>
+        <source>surveyed %1 times: keep one</source>
+        <translation>%1-mal eingemessen: eine behalten</translation>
+    </message>
+    <message>
+        <source>measured more than once in this scan: keep one</source>
+        <translation>in diesem Scan mehrfach gemessen: eine behalten</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>eine Koordinate ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the markers lie almost on one line, which leaves the turn about it open: add one beside it</source>
+        <translation>die Passmarken liegen fast auf einer Linie, so bleibt die Drehung um sie offen: eine daneben hinzunehmen</translation>
+    </message>
+    <message>
+        <source>the three markers do not fit the survey, distances differ by up to %1, and with three nobody can say which is wrong: measure a fourth</source>
+        <translation>die drei Passmarken passen nicht zur Einmessung, Abstände weichen bis %1 ab, und bei dreien kann niemand sagen, welche falsch ist: eine vierte messen</translation>
+    </message>
+    <message>
+        <source>no three of the %1 markers fit the survey, distances differ by up to %2: is it the survey of this site?</source>
+        <translation>keine drei der %1 Passmarken passen zur Einmessung, Abstände weichen bis %2 ab: ist es die Einmessung dieser Grabung?</translation>
+    </message>
+    <message>
+        <source>the markers %1 and the markers %2 say different poses and neither set is larger: measure them again</source>
+        <translation>die Passmarken %1 und die Passmarken %2 sagen Verschiedenes, und keine der Gruppen ist größer: neu messen</translation>
+    </message>
+    <message>
+        <source>%1 mm off its place</source>
+        <translation>%1 mm neben ihrem Platz</translation>
+    </message>
+    <message>
+        <source>swapped with %1</source>
+        <translation>mit %1 vertauscht</translation>
+    </message>
+    <message>
+        <source>lies where %1 was surveyed: wrong name?</source>
+        <translation>liegt, wo %1 eingemessen ist: falscher Name?</translation>
+    </message>
+    <message>
+        <source>%1 of %2 markers fit with %3 mm rms</source>
+        <translation>%1 von %2 Passmarken passen auf %3 mm (rms)</translation>
+    </message>
+    <message>
+        <source>%1 of the scan&apos;s %2 markers can be paired with the survey, three are needed</source>
+        <translation>%1 der %2 Passmarken des Scans sind eingemessen, drei braucht es</translation>
+    </message>
+    <message>
+        <source>contradicts the other links and markers by %1 standard deviations (%2 mm, %3 degrees)</source>
+        <translation>widerspricht den anderen Verknüpfungen und Passmarken um %1 Standardabweichungen (%2 mm, %3 Grad)</translation>
+    </message>
+    <message>
+        <source>the surface is no longer in the record</source>
+        <translation>die Fläche steht nicht mehr in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>surfaces %1 and %2 belong to two areas; only those of one can be compared</source>
+        <translation>die Flächen %1 und %2 gehören zu zwei Schnitten; vergleichen lassen sich nur die eines Schnitts</translation>
+    </message>
+    <message>
+        <source>none of its scans stands on the site grid</source>
+        <translation>keiner ihrer Scans liegt im Grabungsnetz</translation>
+    </message>
+    <message>
+        <source>%1 of its outlines lie more than %2 m from all scans</source>
+        <translation>%1 ihrer Umrisse liegen mehr als %2 m von allen Scans entfernt</translation>
+    </message>
+    <message>
+        <source>%1: there are neither outlines nor registered scans to show</source>
+        <translation>%1: es gibt weder Umrisse noch eingepasste Scans zu zeigen</translation>
+    </message>
+    <message>
+        <source>unit %1 has no outline on any surface</source>
+        <translation>Befund %1 hat auf keiner Fläche einen Umriss</translation>
+    </message>
+    <message>
+        <source>%1: no registered scan shows it; the plan has outlines only</source>
+        <translation>%1: kein eingepasster Scan zeigt sie; der Plan hat nur Umrisse</translation>
+    </message>
+    <message>
+        <source>%1 is not registered and was left out</source>
+        <translation>%1 ist nicht eingepasst und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>both ends of the section are one place</source>
+        <translation>beide Enden des Profils sind derselbe Ort</translation>
+    </message>
+    <message>
+        <source>neither registered scans nor outlines lie in this plane</source>
+        <translation>in dieser Ebene liegen weder eingepasste Scans noch Umrisse</translation>
+    </message>
+    <message>
+        <source>no registered scan of %1 shows region %2; add scans of that day and register them</source>
+        <translation>kein eingepasster Scan vom %1 zeigt den Umriss %2; Scans dieses Tages aufnehmen und einpassen</translation>
+    </message>
+    <message>
+        <source>region %1 lies outside all scans of its day</source>
+        <translation>der Umriss %1 liegt außerhalb aller Scans seines Tages</translation>
+    </message>
+    <message>
+        <source>%1 has several parts; say which: %2</source>
+        <translation>%1 hat mehrere Teile; angeben, welcher: %2</translation>
+    </message>
+    <message>
+        <source>surface %1 is not of area %2</source>
+        <translation>Fläche %1 gehört nicht zu Schnitt %2</translation>
+    </message>
+    <message>
+        <source>surface %1 is new and has no day</source>
+        <translation>Fläche %1 ist neu und hat keinen Tag</translation>
+    </message>
+    <message>
+        <source>section %1 is new: say its two ends, from and to [x, y]</source>
+        <translation>Profil %1 ist neu: seine beiden Enden angeben, from und to [x, y]</translation>
+    </message>
+    <message>
+        <source>unit %1 may be %2; say which, or the area of the outlines</source>
+        <translation>Befund %1 kann %2 sein; angeben, welcher, oder den Schnitt der Umrisse</translation>
+    </message>
+    <message>
+        <source>%1: no registered surface before it</source>
+        <translation>%1: davor keine Fläche mit eingepassten Scans</translation>
+    </message>
+    <message>
+        <source>this is no GeoJSON: its type is none of %1</source>
+        <translation>das ist kein GeoJSON: sein type ist keins von %1</translation>
+    </message>
+    <message>
+        <source>it holds no outline</source>
+        <translation>es enthält keinen Umriss</translation>
+    </message>
+    <message>
+        <source>its coordinates are degrees (%1); export it in the coordinate system of the site grid</source>
+        <translation>seine Koordinaten sind Grad (%1); im Koordinatensystem des Grabungsnetzes ausgeben</translation>
+    </message>
+    <message>
+        <source>%1 outlined units in one area; %2 can be compared</source>
+        <translation>%1 umrissene Befunde in einem Schnitt; verglichen werden können %2</translation>
+    </message>
+    <message>
+        <source>phases</source>
+        <translation>Phasen</translation>
+    </message>
+    <message>
+        <source>periods</source>
+        <translation>Perioden</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>no problem to draw: no error or warning names a relation</source>
+        <translation>kein Problem zu zeichnen: kein Fehler und keine Warnung nennt eine Beziehung</translation>
+    </message>
+    <message>
+        <source>nothing was added, removed or changed since %1</source>
+        <translation>seit %1 wurde nichts angelegt, entfernt oder geändert</translation>
+    </message>
+    <message>
+        <source>no format ends in %1; known are %2</source>
+        <translation>kein Format endet auf %1; bekannt sind %2</translation>
+    </message>
+    <message>
+        <source>plans and sections are written as .pdf or .png</source>
+        <translation>Pläne und Profile werden als .pdf oder .png geschrieben</translation>
+    </message>
+    <message>
+        <source>a report is .xml, .html or .pdf</source>
+        <translation>ein Bericht ist .xml, .html oder .pdf</translation>
+    </message>
+    <message>
+        <source>day %1: nothing was dug, recorded or scanned on it; %2</source>
+        <translation>am %1 wurde nichts gegraben, aufgenommen oder gescannt; %2</translation>
+    </message>
+    <message>
+        <source>the record holds no dates at all</source>
+        <translation>die Aufnahme nennt gar keine Tage</translation>
+    </message>
+    <message>
+        <source>the last day before it with something is %1</source>
+        <translation>der letzte Tag davor mit etwas ist %1</translation>
+    </message>
+    <message>
+        <source>the first day with something is %1</source>
+        <translation>der erste Tag mit etwas ist %1</translation>
+    </message>
+    <message>
+        <source>%1 is not empty; name a new folder for the sample dig, or remove this one if a stopped run left it</source>
+        <translation>%1 ist nicht leer; einen neuen Ordner für die Beispielgrabung nennen, oder diesen löschen, wenn ihn ein abgebrochener Lauf hinterließ</translation>
+    </message>
+    <message>
+        <source>the site has no %1 yet</source>
+        <translation>die Grabung hat noch keine %1</translation>
     </message>
 </context>
 <context>
@@ -4185,7 +7314,7 @@
     </message>
     <message>
         <source>level</source>
-        <translation>Höhe</translation>
+        <translation>Nivellement</translation>
     </message>
     <message>
         <source>a unit</source>
@@ -4273,7 +7402,7 @@
     </message>
     <message>
         <source>Levels contradict the relation</source>
-        <translation>Höhen widersprechen der Beziehung</translation>
+        <translation>Nivellements widersprechen der Beziehung</translation>
     </message>
     <message>
         <source>Dates contradict the order</source>

@@ -2,6 +2,396 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it" sourcelanguage="en">
 <context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QPrintPreviewDialog</name>
+    <message>
+        <source>Print Preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show single page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show facing pages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show overview of all pages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page setup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export to PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>card</name>
     <message>
         <source>Kind</source>
@@ -117,6 +507,226 @@
     </message>
     <message>
         <source>Dates and phases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Site code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room or functional unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Formation (natural, artificial)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Criteria of distinction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode of formation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compaction or consistency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Munsell colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Composition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inclusions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Organic components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inorganic components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Break of slope, top and base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Borders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Truncation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Masonry: materials, size, finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Masonry: coursing and bond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Masonry: form and faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Masonry: bonding material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timber: type and setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timber: cross-section, conversion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timber: tool marks, joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skeleton: position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skeleton: completeness, truncation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Excavation method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Per cent excavated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sieving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reliability of the stratigraphy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Activity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dating evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Observations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scientific director</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revised by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revised on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free fields (name=value lines)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind, more closely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -306,6 +916,62 @@
         <source>unit %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Accept problem %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added %1 row of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added %1 rows of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed %1 row of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed %1 rows of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deleted %1 row of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deleted %1 rows of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import measured points of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restored %1 row of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restored %1 rows of %2 with another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign the day off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept a problem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept problem “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept problem “%1” (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>evidence</name>
@@ -470,6 +1136,37 @@
     </message>
     <message>
         <source>not carried: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>log</name>
+    <message>
+        <source>recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brought back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1486,6 +2183,38 @@
     </message>
     <message>
         <source>shaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>equirectangular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mercator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Miller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>equal-area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectilinear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pannini</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stereographic</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2871,6 +3600,14 @@
         <source>Reading what was changed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1”  %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: “%2” → “%3”</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::UnitListModel</name>
@@ -3239,6 +3976,254 @@
     </message>
     <message>
         <source>Height [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name of the trench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label of the date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of the find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of the group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name of the reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit that was levelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of the period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of the phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface/unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of the sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>analysed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terminus ante quem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backfill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>baulk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>charcoal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bare cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>discarded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>equipment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level inside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dug by machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dug too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>photo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in plana</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pollen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terminus post quem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radiocarbon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spoil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by stratigraphic units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>date of the unit itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not excavated yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bottom of the cut</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3781,10 +4766,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 scans are not on the site grid (planum register), among them %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 scans are placed poorly, among them %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3801,10 +4782,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 patches of ground on which scans of one surface disagree, among them %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3814,10 +4791,6 @@
     </message>
     <message>
         <source>%1 patches of ground rose, among them %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (planum surface set --order)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3970,6 +4943,2157 @@
     </message>
     <message>
         <source>%1 was dug away here; recorded below it are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans are not on the site grid, among them %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not on the site grid, so nothing can be concluded from it; Register in the list of scans says why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (Finds and lists › Surfaces › Place in time)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>services</name>
+    <message>
+        <source>no such file; Project › New project makes one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a Planum project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no area %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scan %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no surface %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no region %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no field %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 exists already; choose it in the list to change it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an outline is drawn: on the panorama, in plan or on a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a problem is kept silent with a reason only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this problem is not open any more; the list was checked again meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this problem is not in the list any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this suggestion is not open any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a question; state the relation that you saw, or reject it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a suggestion is rejected with a reason only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a reading %1 already; choose another name, or delete it in Finds and lists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of which day? Put it into a folder named by its date (2025-06-01) and add that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has another scan %1 with other content; rename the file or put it into the folder of another day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan %1 has no %2; range and shading can always be drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan %1: %2 is no longer the file that was added; put that back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no longer the file that was added; put that back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>block %1 with %2 points is damaged; Tools › Verify the project makes it again from the original scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is LAZ, compressed LAS, which is not read here; unpack it to LAS first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marker %1 of %2 is %3 mm from where the file has it; it was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project&apos;s markers cannot be read: take the change back that spoilt them (Edit › Undo)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no scans yet: Add scans takes the folder of a day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every scan is on the site grid already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing says where the site grid is: import the markers of one scan at least (Markers)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no registration yet: Register places the scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the registration %2 is not in force: %1; Tools › Accept a registration puts it in force, Discard a registration drops it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1: none of its scans stands on the site grid; Register in the list of scans places them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no surface yet; scans or outlines of a day make them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither outlines nor registered scans say where the trench is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it names neither a surface nor a day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scan is on the site grid: register the scans first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scan of this surface is on the site grid: register its scans first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not recognised: none of the lists that Planum reads (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read as %1 (%2)%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out: too large for a list; scans are added with Add scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number %1 is used in area %2 and in area %3 and was taken for one unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>site %1 with %2 units was read; left out: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of its rows holds coordinates; its first line must name the columns (name, x, y, z, code, …)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 trenches have a unit %2; the file must say which (TRENCH::NUMBER)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not an ordinary file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>empty; a marker file begins with scan,marker,x,y,z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a database, but not a GeoPackage and so not a Planum project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a GeoPackage, but not a Planum project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>made with schema version %1, this program knows up to %2: install a newer Planum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table %1 is missing: not a whole Planum project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table %1 has no column %2: another program rebuilt it; restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table %1 was rebuilt by another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no schema version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no settings: restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged (%1): restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged: restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut short: restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is cut short: restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is cut short (%1 of %2 bytes): restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file or its folder is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file or its folder cannot be written: check the permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is full: nothing was changed; free some space and try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading or writing the disk failed (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in use by another program: close it there and try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an interrupted change has to be taken back first, and the file or its folder cannot be written: copy it with the files beside it to a place that can</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened: check the name, the folder and the permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened: check the permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened for reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>access denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value is larger than 64 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program changed the tables meanwhile: try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record of this change is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record of this change is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record of this change names a table it may not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of a project must end in .gpkg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file of this name is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened for reading only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>may be read but not written, because %1: import it into a new project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 %2 was not made by Planum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the index %1 was not made by Planum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a change that had been interrupted was taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program left the file in write-ahead mode (is it open in QGIS?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file had been left in write-ahead mode; it was set back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file stays in write-ahead mode while another program uses it (is it open in QGIS?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brought from schema version %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the spatial index of the layer %1 was dropped: its triggers cannot run safely; QGIS works without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 had been dropped by another program; it was put back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows of the table %1 that were added since refer to the %2 it would take away: delete them first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed since by another program; nothing was done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; of %3 is no longer possible: undo steps up to then were forgotten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to take back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to make again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number already used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number already used in area %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it refers to a record that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value is not allowed (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a record with this id is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of this name is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no field of a unit is called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no coordinate system EPSG:%1 is known; use -1 for a local grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no EPSG code; use -1 for a local grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 MB, more than the %2 MB that such a file may have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a project or another database; name another file to write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a backup must be another file than the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened to be written to the disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing to the disk failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the copy is damaged: check the disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading failed half-way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing to disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped by the user</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is between units of which one was deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>belongs to a relation that was deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>belongs to a unit that was deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a number that several units have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drops a relation that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is listed but does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refers to a %1 that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no valid uuid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be taken back: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no file to import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>could also be read as %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out: no record that Planum knows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 relations stand on both sheets, the rest on one; the other side is derived</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing in it but headings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the project stay behind: only its record is imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables of units, relations, levels, finds, … (.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole record (.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Harris Matrix Composer project (.hmcx, matrix.xml)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Harris Matrix Composer table (.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ArkMatrix table, simple or tagged (.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BASP, ArchEd, Stratify dataset (.lst)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GraphML of yEd or the Extended Matrix (.graphml)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>iDAI.field / Field Desktop export (.jsonl)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hm and HMDP tables (contexts, observations, …)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transcription of excavation books (book, feature, relations)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PHASER tables (.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PHASER graph (.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PolyChron tables (.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stratify table (.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>StratiGraph matrix (.hmatrix.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stratigraphr table (context, above, below, equal)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pyArchInit database or CSV tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns unit, kind, title, … or unit, relation, other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two columns of numbers without a header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows of unit, value, tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns above, below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the line was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 here and was %3 before; the first is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the title of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the description of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the interpretation of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the label of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the phase of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the period of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first day of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last day of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recorder of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording day of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 names no other unit; the relation was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 further notes are not listed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than two cells; only two were read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not three cells: unit, value, tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line without a unit was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line without a unit number was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line without a group was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit without a number was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a level without a height z was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tag %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the class %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the class %1 is not known; taken as context</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the status %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the status %1 is not known; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the kind %1 is not known; kept as a free field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the form %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the role %1 is not known; taken as other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the method %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the kind of dating %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the type %1 of %2 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit type %1 of %2 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edge type %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the relation %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no relation word known here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field %1 is not known; kept among the free fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 is not known; kept among the free fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>certainty is certain or uncertain, not %1; taken as certain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a level needs a unit and a height z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a number in the column %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number in the column %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a date in the column %2 (2025-06-01)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no table of ours; looked in the first line for the columns %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 characters are no text in %2 and were replaced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table has more than %1 cells; what follows was not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a quotation mark is opened and never closed; taken as a character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a node without label; named by its id, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two nodes are called %1; they are taken for one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an edge ends at a node that is not in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an edge of a group was left out; only units have relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a relation of a group was left out; only units have relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a relation of a group of units was left out; only units have relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a row without number of a unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>binary, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit %1: %2 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns %1: there is no x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no coordinates; the row was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a binary drawing; save it as ASCII DXF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds no POINT, INSERT or TEXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a level without a height was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from here on, %1 levels without a height were left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no unit %2; near it: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no unit %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a level without a unit was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a find without a number was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>building the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking for circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing dates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing phases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>following the digging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at kinds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at sources</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at ground that changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counting redundant relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking pages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking %1 scans and their points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copying the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking for features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thinning %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing the PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking into %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at what %1 shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making the point store of %1 again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unrolling %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cleaning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comparing surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>merging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>importing the sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taking the outlines in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing and reporting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>letting a site come to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking at what touches what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>digging it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing and writing sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scanning %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looking for ground that changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fine alignment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relaxing all poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>global relaxation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sorting the points of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading points into cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aligning %1 pairs of scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registering %1 scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adding %1 scan files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>laying the matrix out with graphviz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpretation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relation below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no day; write YYYY-MM-DD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is none of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no %1; add it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no area %1; add it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no dating %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no document %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no find %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no group %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no interpretation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no level %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no period %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no phase %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no relation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sample %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no unit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no unit %1; near it: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a %1 needs a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit needs a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a level needs a height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit %1 is used in %2 areas; say which: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a relation is UNIT RELATION UNIT, as in 1042 cuts 1017, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no relation; known are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing in the record is called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a correction needs a reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>that is the relation as it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the relation is not in the record any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit is not in the record any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the new unit needs a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no kind of unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no relation %1 %2 %3 in what the interpretation is of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no interpretation %1; add it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is read from %2 itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpretation %1: %2 starts from it; give that another parent or delete it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>metres, not below 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read “%1”; write x y z, x y z, … or POLYGON((…))</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name a new region SURFACE/UNIT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the region is no longer there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its outline was changed meanwhile; nothing was done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outline mended: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scans and outlines do not show this contradiction any more; check again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no section shows this contradiction any more; check again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surfaces propose nothing; outlines on two surfaces of an area with registered scans are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name in full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first year, negative = BCE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last year, negative = BCE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order in time, 1 = earliest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group, subgroup, landuse, activity, …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group it is part of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its units, separated by commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit it dates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind of evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>earliest year, negative = BCE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>latest year, negative = BCE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncalibrated radiocarbon age [years BP]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its sigma [years]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>find it rests on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direct, disjunct, disparate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the interpretation it starts from (default: the field record)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relations it adds, as in &quot;1 covers 2; 3 cuts 4&quot;; set adds to those there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relations it leaves out; set adds to those there; &quot;adds&quot; brings one back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>who reads it so (default: you)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit it was found in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>site grid [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weight [g]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>box or bag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>day it was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>description</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit it was taken from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soil, C14, charcoal, pollen, …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>volume [l]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number the laboratory gave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stored, submitted, analysed, discarded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit it shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>photo, drawing, sheet, …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>file, relative to the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>day it was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>author</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the height stands for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how it is dug</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first unit number issued to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last unit number issued to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how it was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place in time among the surfaces of its area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit it shows; empty: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what it encloses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what of the unit it shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>corners in site coordinates: &quot;x y z, x y z, …&quot; or without heights, or WKT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty of the outline [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut whose side shows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scan file there (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not the ending of a scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no scan in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has another scan %1 with other content</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no valid point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points over 131 km away were left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns read as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the day is the one written in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1 exists in several areas; say which area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2: not a day of the calendar as 2025-06-01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan %1: the original %2 is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan %1 has no points: there is nothing to unroll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflectance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan %1: its points are not in %2 and the original %3 is not there either; put it back or add the scan again from where it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its original is not there: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put it back, its points could not be made again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 blocks of its point store are damaged, the first at byte %3 with %4 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its point store is damaged: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>made again from the original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it could not be made again: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no column %1; a marker file begins with scan,marker,x,y,z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing under %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a marker without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no %2 coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing under scan; rows of the survey say site there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the marker %1 of %2 a second time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no scan %1 (yet)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marker %1 of %2 was not surveyed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scan was made on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poorly placed by %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its own frame, which is taken for the site grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 markers and 1 link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 markers and %2 links</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its position is only known to %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its direction is only known to %1 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was placed by features alone, which are good to centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marker %1 left out: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 left out: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its markers were left out: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relaxation took the links&apos; errors from %1 to %2 standard deviations (root mean square); of %3 links %4 gave way to others, none is off by more than %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not placed: the scan has no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not placed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its markers: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no markers were measured in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it hangs together with %1, but nothing says where these are on the site grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no start value near that of another scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it shares too little with the other scans: at best %1 places look alike and lie the same way to each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the report of a registration run cannot be read; discard the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no registration run %1; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registration run %1 is accepted already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registration run %1 is discarded already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed only, as asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans are placed poorly (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scan %1 was removed while it was registered; nothing was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aligned on %1 of %2 pieces of ground, %3 mm rms, σ %4 mm and %5°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in the survey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surveyed %1 times: keep one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured more than once in this scan: keep one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the markers lie almost on one line, which leaves the turn about it open: add one beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the three markers do not fit the survey, distances differ by up to %1, and with three nobody can say which is wrong: measure a fourth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no three of the %1 markers fit the survey, distances differ by up to %2: is it the survey of this site?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the markers %1 and the markers %2 say different poses and neither set is larger: measure them again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm off its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swapped with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lies where %1 was surveyed: wrong name?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 markers fit with %3 mm rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the scan&apos;s %2 markers can be paired with the survey, three are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicts the other links and markers by %1 standard deviations (%2 mm, %3 degrees)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface is no longer in the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surfaces %1 and %2 belong to two areas; only those of one can be compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of its scans stands on the site grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of its outlines lie more than %2 m from all scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: there are neither outlines nor registered scans to show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit %1 has no outline on any surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no registered scan shows it; the plan has outlines only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not registered and was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both ends of the section are one place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither registered scans nor outlines lie in this plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no registered scan of %1 shows region %2; add scans of that day and register them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>region %1 lies outside all scans of its day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has several parts; say which: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1 is not of area %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1 is new and has no day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section %1 is new: say its two ends, from and to [x, y]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit %1 may be %2; say which, or the area of the outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no registered surface before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no GeoJSON: its type is none of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds no outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its coordinates are degrees (%1); export it in the coordinate system of the site grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 outlined units in one area; %2 can be compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>periods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no problem to draw: no error or warning names a relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was added, removed or changed since %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no format ends in %1; known are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plans and sections are written as .pdf or .png</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a report is .xml, .html or .pdf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>day %1: nothing was dug, recorded or scanned on it; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record holds no dates at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last day before it with something is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first day with something is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not empty; name a new folder for the sample dig, or remove this one if a stopped run left it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the site has no %1 yet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

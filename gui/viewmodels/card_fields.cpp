@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/base/text.hpp"
@@ -113,6 +114,65 @@ QString block_label(std::string_view block) {
     }
     return label(QT_TRANSLATE_NOOP("card", "Other"));
 }
+
+// The labels of model::kUnitFields, for those who translate; tests/gui/gui_viewmodels/log_words_test.cpp holds them to
+// these.
+[[maybe_unused]] constexpr std::array kDetailLabels = {
+    QT_TRANSLATE_NOOP("card", "Site code"),
+    QT_TRANSLATE_NOOP("card", "Sector"),
+    QT_TRANSLATE_NOOP("card", "Square"),
+    QT_TRANSLATE_NOOP("card", "Room or functional unit"),
+    QT_TRANSLATE_NOOP("card", "Position"),
+    QT_TRANSLATE_NOOP("card", "Formation (natural, artificial)"),
+    QT_TRANSLATE_NOOP("card", "Criteria of distinction"),
+    QT_TRANSLATE_NOOP("card", "Mode of formation"),
+    QT_TRANSLATE_NOOP("card", "Compaction or consistency"),
+    QT_TRANSLATE_NOOP("card", "Colour"),
+    QT_TRANSLATE_NOOP("card", "Munsell colour"),
+    QT_TRANSLATE_NOOP("card", "Composition"),
+    QT_TRANSLATE_NOOP("card", "Inclusions"),
+    QT_TRANSLATE_NOOP("card", "Organic components"),
+    QT_TRANSLATE_NOOP("card", "Inorganic components"),
+    QT_TRANSLATE_NOOP("card", "Thickness"),
+    QT_TRANSLATE_NOOP("card", "Length"),
+    QT_TRANSLATE_NOOP("card", "Width"),
+    QT_TRANSLATE_NOOP("card", "Depth"),
+    QT_TRANSLATE_NOOP("card", "Shape in plan"),
+    QT_TRANSLATE_NOOP("card", "Profile"),
+    QT_TRANSLATE_NOOP("card", "Corners"),
+    QT_TRANSLATE_NOOP("card", "Break of slope, top and base"),
+    QT_TRANSLATE_NOOP("card", "Sides"),
+    QT_TRANSLATE_NOOP("card", "Base"),
+    QT_TRANSLATE_NOOP("card", "Orientation"),
+    QT_TRANSLATE_NOOP("card", "Borders"),
+    QT_TRANSLATE_NOOP("card", "Truncation"),
+    QT_TRANSLATE_NOOP("card", "Preservation"),
+    QT_TRANSLATE_NOOP("card", "Disturbance"),
+    QT_TRANSLATE_NOOP("card", "Masonry: materials, size, finish"),
+    QT_TRANSLATE_NOOP("card", "Masonry: coursing and bond"),
+    QT_TRANSLATE_NOOP("card", "Masonry: form and faces"),
+    QT_TRANSLATE_NOOP("card", "Masonry: bonding material"),
+    QT_TRANSLATE_NOOP("card", "Timber: type and setting"),
+    QT_TRANSLATE_NOOP("card", "Timber: cross-section, conversion"),
+    QT_TRANSLATE_NOOP("card", "Timber: tool marks, joints"),
+    QT_TRANSLATE_NOOP("card", "Skeleton: position"),
+    QT_TRANSLATE_NOOP("card", "Skeleton: completeness, truncation"),
+    QT_TRANSLATE_NOOP("card", "Excavation method"),
+    QT_TRANSLATE_NOOP("card", "Per cent excavated"),
+    QT_TRANSLATE_NOOP("card", "Conditions"),
+    QT_TRANSLATE_NOOP("card", "Sieving"),
+    QT_TRANSLATE_NOOP("card", "Flotation"),
+    QT_TRANSLATE_NOOP("card", "Reliability of the stratigraphy"),
+    QT_TRANSLATE_NOOP("card", "Activity"),
+    QT_TRANSLATE_NOOP("card", "Dating evidence"),
+    QT_TRANSLATE_NOOP("card", "Observations"),
+    QT_TRANSLATE_NOOP("card", "Scientific director"),
+    QT_TRANSLATE_NOOP("card", "Checked by"),
+    QT_TRANSLATE_NOOP("card", "Checked on"),
+    QT_TRANSLATE_NOOP("card", "Revised by"),
+    QT_TRANSLATE_NOOP("card", "Revised on"),
+    QT_TRANSLATE_NOOP("card", "Free fields (name=value lines)"),
+};
 
 void add_details(const StratigraphicUnit& unit, std::vector<CardField>& fields) {
     for (const model::UnitFieldInfo& info : model::kUnitFields) {

@@ -9,6 +9,8 @@
 
 #include "gui/viewmodels/sentence_form.hpp"
 #include "gui/viewmodels/sentences.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
+#include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
 
@@ -19,14 +21,21 @@ namespace {
 constexpr std::array kLabels = {
     QT_TRANSLATE_NOOP("changes", "Accept a relation from surfaces"),
     QT_TRANSLATE_NOOP("changes", "Accept problem %1"),
+    QT_TRANSLATE_NOOP("changes", "Accept problem %1 of %2"),
     QT_TRANSLATE_NOOP("changes", "Accept registration run %1"),
     QT_TRANSLATE_NOOP("changes", "Accept relations from surfaces"),
     QT_TRANSLATE_NOOP("changes", "Add %1"),
     QT_TRANSLATE_NOOP("changes", "Add %1 scans"),
+    QT_TRANSLATE_NOOP("changes", "Added %1 row of %2 with another program"),
+    QT_TRANSLATE_NOOP("changes", "Added %1 rows of %2 with another program"),
     QT_TRANSLATE_NOOP("changes", "Assign %1 finds"),
     QT_TRANSLATE_NOOP("changes", "Change %1"),
+    QT_TRANSLATE_NOOP("changes", "Changed %1 row of %2 with another program"),
+    QT_TRANSLATE_NOOP("changes", "Changed %1 rows of %2 with another program"),
     QT_TRANSLATE_NOOP("changes", "Correct to %1, instead of %2: %3"),
     QT_TRANSLATE_NOOP("changes", "Delete %1"),
+    QT_TRANSLATE_NOOP("changes", "Deleted %1 row of %2 with another program"),
+    QT_TRANSLATE_NOOP("changes", "Deleted %1 rows of %2 with another program"),
     QT_TRANSLATE_NOOP("changes", "Discard registration run %1"),
     QT_TRANSLATE_NOOP("changes", "Draw an outline"),
     QT_TRANSLATE_NOOP("changes", "Draw an outline of %1"),
@@ -37,6 +46,7 @@ constexpr std::array kLabels = {
     QT_TRANSLATE_NOOP("changes", "Import %1 markers"),
     QT_TRANSLATE_NOOP("changes", "Import %1 outline"),
     QT_TRANSLATE_NOOP("changes", "Import %1 outlines"),
+    QT_TRANSLATE_NOOP("changes", "Import measured points of %1"),
     QT_TRANSLATE_NOOP("changes", "Make interpretation %1"),
     QT_TRANSLATE_NOOP("changes", "Mark %1 uncertain: %2"),
     QT_TRANSLATE_NOOP("changes", "Outline changed ground"),
@@ -45,6 +55,9 @@ constexpr std::array kLabels = {
     QT_TRANSLATE_NOOP("changes", "Register %1 scans"),
     QT_TRANSLATE_NOOP("changes", "Reject a suggestion"),
     QT_TRANSLATE_NOOP("changes", "Reject suggestions"),
+    QT_TRANSLATE_NOOP("changes", "Restored %1 row of %2 with another program"),
+    QT_TRANSLATE_NOOP("changes", "Restored %1 rows of %2 with another program"),
+    QT_TRANSLATE_NOOP("changes", "Sign the day off"),
     QT_TRANSLATE_NOOP("changes", "Split unit %1, new %2: %3"),
     QT_TRANSLATE_NOOP("changes", "Take over %1 scans"),
     QT_TRANSLATE_NOOP("changes", "Withdraw %1: %2"),
@@ -87,6 +100,17 @@ QString thing(const QString& english) {
     return in_window_language(english);
 }
 
+// A problem is called by the title of its check, not by its code; older projects kept the hash that tells problems
+// apart, which says nothing to anybody.
+QString accepted_problem(const std::vector<std::pair<int, QString>>& parts) {
+    const std::string code = parts.front().second.toStdString();
+    const QString title = check_title(code);
+    if (title == parts.front().second) return QCoreApplication::translate("changes", "Accept a problem");
+    if (parts.size() == 1) return QCoreApplication::translate("changes", "Accept problem “%1”").arg(title);
+    return QCoreApplication::translate("changes", "Accept problem “%1” (%2)")
+        .arg(title, in_window_language(parts.back().second));
+}
+
 } // namespace
 
 QString change_label(const std::string& english) {
@@ -95,10 +119,15 @@ QString change_label(const std::string& english) {
     for (const SentenceForm& form : forms) {
         auto parts = form.fit(text);
         if (!parts) continue;
-        for (auto& [place, words] : *parts) words = thing(words);
+        if (form.english().startsWith(QLatin1String("Accept problem"))) return accepted_problem(*parts);
+        // Another program's work is told by tables, which are called as what they hold.
+        const bool outside = form.english().endsWith(QLatin1String("with another program"));
+        for (auto& [place, words] : *parts) words = outside ? service_sentence(words) : thing(words);
         return filled(translated(form.english()), *parts);
     }
     return text;
 }
+
+QString thing_word(const std::string& english) { return thing(QString::fromStdString(english)); }
 
 } // namespace planum::gui

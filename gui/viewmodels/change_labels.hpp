@@ -11,4 +11,7 @@ namespace planum::gui {
 /// for everybody alike; names that are not known stay as they are.
 [[nodiscard]] QString change_label(const std::string& english);
 
+/// What changes and problems of a file name, `unit 1042`, in the language of the window; other words stay.
+[[nodiscard]] QString thing_word(const std::string& english);
+
 } // namespace planum::gui

@@ -15,6 +15,9 @@
 #include "app/scans/add_scans.hpp"
 #include "app/survey/survey_import.hpp"
 #include "core/base/text.hpp"
+#include "gui/viewmodels/change_labels.hpp"
+#include "gui/viewmodels/log_words.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -33,8 +36,9 @@ ImportPreview in_words(const app::ImportReport& report) {
     for (const app::ImportedFiles& reading : report.readings) {
         QStringList names;
         for (const std::string& file : reading.files) names << qt(file);
-        add(preview.fresh, DayJobs::tr("%1: read as %2").arg(names.join(QStringLiteral(", ")), qt(reading.title)));
-        if (!reading.note.empty()) add(preview.not_understood, qt(reading.note));
+        add(preview.fresh,
+            DayJobs::tr("%1: read as %2").arg(names.join(QStringLiteral(", ")), service_sentence(reading.title)));
+        if (!reading.note.empty()) add(preview.not_understood, service_sentence(reading.note));
     }
     const auto count = [&](const QString& text, std::int64_t number) {
         if (number > 0) add(preview.fresh, text.arg(number));
@@ -47,12 +51,14 @@ ImportPreview in_words(const app::ImportReport& report) {
     count(DayJobs::tr("%1 new levels, finds, phases and others"), report.new_others);
     for (const app::MergeConflict& conflict : report.conflicts) {
         add(preview.changed, DayJobs::tr("%1, %2: “%3” stands, the file says “%4”")
-                                 .arg(qt(conflict.what), qt(conflict.field), qt(conflict.kept), qt(conflict.offered)));
+                                 .arg(thing_word(conflict.what), stored_field_label(conflict.field),
+                                      stored_value_word(conflict.field, conflict.kept),
+                                      stored_value_word(conflict.field, conflict.offered)));
     }
-    for (const std::string& warning : report.warnings) add(preview.not_understood, qt(warning));
+    for (const std::string& warning : report.warnings) add(preview.not_understood, service_sentence(warning));
     for (const strat::ReadNote& note : report.notes) {
         add(preview.not_understood,
-            DayJobs::tr("%1, line %2: %3").arg(qt(note.file)).arg(note.line).arg(qt(note.message)));
+            DayJobs::tr("%1, line %2: %3").arg(qt(note.file)).arg(note.line).arg(service_sentence(note.message)));
     }
     return preview;
 }
@@ -69,9 +75,9 @@ QStringList in_words(const app::RegistrationReport& report) {
         if (scan.status == "registered" && !scan.is_poor) continue;
         const QString line =
             scan.status == "registered" ? DayJobs::tr("%1: placed with doubt. %2") : DayJobs::tr("%1: not placed. %2");
-        lines << line.arg(qt(scan.scan), qt(scan.verdict));
+        lines << line.arg(qt(scan.scan), service_sentence(scan.verdict));
     }
-    for (const std::string& note : report.notes) lines << qt(note);
+    for (const std::string& note : report.notes) lines << service_sentence(note);
     return lines;
 }
 

@@ -14,7 +14,9 @@
 #include "app/registration/registration_report.hpp"
 #include "app/registration/registration_runs.hpp"
 #include "app/scans/verify_scans.hpp"
+#include "gui/viewmodels/change_labels.hpp"
 #include "gui/viewmodels/sentences.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -38,7 +40,7 @@ QStringList differences(const app::InterpretationDiff& diff, const QString& firs
         lines << line.arg(name(o.in), qt(o.later), qt(o.earlier));
     }
     for (const app::DifferingProblem& p : diff.problems) {
-        lines << Inquiry::tr("contradicted in %1 only: %2").arg(name(p.in), qt(p.problem.message));
+        lines << Inquiry::tr("contradicted in %1 only: %2").arg(name(p.in), in_window_language(p.problem.message));
     }
     if (lines.isEmpty()) lines << Inquiry::tr("%1 and %2 say the same").arg(first, second);
     return lines;
@@ -77,7 +79,7 @@ QStringList patch_lines(const app::ReadyPatches& found) {
     if (found.outside > 0) {
         lines << Inquiry::tr("%n patch(es) outside all outlines left out", nullptr, static_cast<int>(found.outside));
     }
-    for (const std::string& note : found.notes) lines << qt(note);
+    for (const std::string& note : found.notes) lines << service_sentence(note);
     return lines;
 }
 
@@ -135,7 +137,7 @@ void Inquiry::verify() {
     ask(tr("Verifying the project"), [](app::Project& project, Progress& progress) {
         Answer answer;
         const auto add = [&](const std::string& where, const std::string& what) {
-            answer.lines << QStringLiteral("%1: %2").arg(qt(where), qt(what));
+            answer.lines << QStringLiteral("%1: %2").arg(thing_word(where), service_sentence(what));
         };
         for (const auto& problem : project.file().verify(progress)) add(problem.where, problem.what);
         for (const app::ScanProblem& problem : app::verify_scans(project, progress)) add(problem.where, problem.what);
@@ -152,7 +154,8 @@ void Inquiry::clean() {
         answer->title,
         [answer](app::Project& project, Progress& progress) {
             for (const auto& problem : project.file().verify(progress)) {
-                answer->lines << QStringLiteral("%1: %2").arg(qt(problem.where), qt(problem.what));
+                answer->lines << QStringLiteral("%1: %2").arg(thing_word(problem.where),
+                                                              service_sentence(problem.what));
             }
             if (!answer->lines.isEmpty()) {
                 answer->lines << tr("nothing was removed: the project file itself is not sound");

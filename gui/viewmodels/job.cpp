@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "core/base/error.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 
 namespace planum::gui {
 
@@ -66,7 +67,7 @@ class JobRunner::Report : public Progress {
         : Progress(job->stop_.get_token()), runner_(runner), job_(std::move(job)) {}
 
     void step(std::string_view name) override {
-        step_ = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+        step_ = service_sentence(std::string(name));
         send(-1.0);
     }
 
@@ -131,9 +132,9 @@ void JobRunner::work_off(Lane& lane, const std::stop_token& ended) {
             report.check();
             done = entry.work(report);
         } catch (const Error& e) {
-            if (e.code() != ErrorCode::Cancelled) error = QString::fromUtf8(e.what());
+            if (e.code() != ErrorCode::Cancelled) error = service_sentence(std::string(e.what()));
         } catch (const std::exception& e) {
-            error = QString::fromUtf8(e.what());
+            error = service_sentence(std::string(e.what()));
         }
         // The job itself goes where it came from: it is an object of the window's thread.
         QMetaObject::invokeMethod(

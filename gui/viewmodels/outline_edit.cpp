@@ -12,6 +12,7 @@
 #include "app/regions/region_names.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygons.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -295,7 +296,8 @@ void OutlineEdit::finish() {
             }
             if (ground.heights) ground.heights(project, drawn, progress);
             geometry::take_heights(drawn, known);
-            for (const std::string& one : app::redraw_region(project, region, shape, drawn)) *mended << qt(one);
+            for (const std::string& one : app::redraw_region(project, region, shape, drawn))
+                *mended << service_sentence(one);
             const auto& regions = project.record().regions;
             const auto found =
                 std::find_if(regions.begin(), regions.end(), [&](const auto& one) { return one.id == region; });

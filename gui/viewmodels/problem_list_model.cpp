@@ -11,6 +11,8 @@
 #include "app/evidence/section_evidence.hpp"
 #include "app/records/revision.hpp"
 #include "core/base/error.hpp"
+#include "gui/viewmodels/change_labels.hpp"
+#include "gui/viewmodels/log_words.hpp"
 #include "gui/viewmodels/sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
@@ -228,7 +230,7 @@ QStringList ProblemListModel::changes_since_sign_off() const {
         if (change.undone) continue;
         if (change.label == app::kSignOffLabel) break;
         const QString when = qt(change.made_at).left(16).replace(QLatin1Char('T'), QLatin1Char(' '));
-        lines << tr("%1, %2: %3").arg(when, qt(change.author), qt(change.label));
+        lines << tr("%1, %2: %3").arg(when, author_word(change.author), change_label(change.label));
     }
     return lines;
 }

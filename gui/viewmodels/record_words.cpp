@@ -30,6 +30,21 @@ constexpr std::array kTitles = {
     Word{"surface", QT_TRANSLATE_NOOP("records", "Surfaces")},
 };
 
+constexpr std::array kThings = {
+    Word{"area", QT_TRANSLATE_NOOP("records", "trench")},
+    Word{"dating", QT_TRANSLATE_NOOP("records", "date")},
+    Word{"document", QT_TRANSLATE_NOOP("records", "document")},
+    Word{"find", QT_TRANSLATE_NOOP("records", "find")},
+    Word{"group", QT_TRANSLATE_NOOP("records", "group")},
+    Word{"interpretation", QT_TRANSLATE_NOOP("records", "reading")},
+    Word{"level", QT_TRANSLATE_NOOP("records", "level")},
+    Word{"period", QT_TRANSLATE_NOOP("records", "period")},
+    Word{"phase", QT_TRANSLATE_NOOP("records", "phase")},
+    Word{"region", QT_TRANSLATE_NOOP("records", "outline")},
+    Word{"sample", QT_TRANSLATE_NOOP("records", "sample")},
+    Word{"surface", QT_TRANSLATE_NOOP("records", "surface")},
+};
+
 constexpr std::array kLabels = {
     Word{"adds", QT_TRANSLATE_NOOP("records", "Adds")},
     Word{"area", QT_TRANSLATE_NOOP("records", "Trench")},
@@ -78,6 +93,62 @@ constexpr std::array kLabels = {
     Word{"z", QT_TRANSLATE_NOOP("records", "Height [m]")},
 };
 
+constexpr std::array kNameForms = {
+    Word{"area", QT_TRANSLATE_NOOP("records", "name of the trench")},
+    Word{"dating", QT_TRANSLATE_NOOP("records", "label of the date")},
+    Word{"document", QT_TRANSLATE_NOOP("records", "number of the document")},
+    Word{"find", QT_TRANSLATE_NOOP("records", "number of the find")},
+    Word{"group", QT_TRANSLATE_NOOP("records", "number of the group")},
+    Word{"interpretation", QT_TRANSLATE_NOOP("records", "name of the reading")},
+    Word{"level", QT_TRANSLATE_NOOP("records", "unit that was levelled")},
+    Word{"period", QT_TRANSLATE_NOOP("records", "number of the period")},
+    Word{"phase", QT_TRANSLATE_NOOP("records", "number of the phase")},
+    Word{"region", QT_TRANSLATE_NOOP("records", "surface/unit")},
+    Word{"sample", QT_TRANSLATE_NOOP("records", "number of the sample")},
+    Word{"surface", QT_TRANSLATE_NOOP("records", "name of the surface")},
+};
+
+constexpr std::array kValues = {
+    Word{"analysed", QT_TRANSLATE_NOOP("records", "analysed")},
+    Word{"ante-quem", QT_TRANSLATE_NOOP("records", "terminus ante quem")},
+    Word{"backfill", QT_TRANSLATE_NOOP("records", "backfill")},
+    Word{"base", QT_TRANSLATE_NOOP("records", "base")},
+    Word{"baulk", QT_TRANSLATE_NOOP("records", "baulk")},
+    Word{"certain", QT_TRANSLATE_NOOP("records", "certain")},
+    Word{"charcoal", QT_TRANSLATE_NOOP("records", "charcoal")},
+    Word{"coin", QT_TRANSLATE_NOOP("records", "coin")},
+    Word{"cut", QT_TRANSLATE_NOOP("records", "bare cut")},
+    Word{"discarded", QT_TRANSLATE_NOOP("records", "discarded")},
+    Word{"drawing", QT_TRANSLATE_NOOP("records", "drawing")},
+    Word{"equipment", QT_TRANSLATE_NOOP("records", "equipment")},
+    Word{"face", QT_TRANSLATE_NOOP("records", "face")},
+    Word{"find", QT_TRANSLATE_NOOP("records", "find")},
+    Word{"level", QT_TRANSLATE_NOOP("records", "level inside it")},
+    Word{"machine", QT_TRANSLATE_NOOP("records", "dug by machine")},
+    Word{"mixed", QT_TRANSLATE_NOOP("records", "mixed")},
+    Word{"nothing", QT_TRANSLATE_NOOP("records", "nothing of it")},
+    Word{"other", QT_TRANSLATE_NOOP("records", "other")},
+    Word{"overdug", QT_TRANSLATE_NOOP("records", "dug too deep")},
+    Word{"photo", QT_TRANSLATE_NOOP("records", "photo")},
+    Word{"planum", QT_TRANSLATE_NOOP("records", "in plana")},
+    Word{"pollen", QT_TRANSLATE_NOOP("records", "pollen")},
+    Word{"post-quem", QT_TRANSLATE_NOOP("records", "terminus post quem")},
+    Word{"radiocarbon", QT_TRANSLATE_NOOP("records", "radiocarbon")},
+    Word{"sheet", QT_TRANSLATE_NOOP("records", "sheet")},
+    Word{"slump", QT_TRANSLATE_NOOP("records", "slump")},
+    Word{"soil", QT_TRANSLATE_NOOP("records", "soil")},
+    Word{"spoil", QT_TRANSLATE_NOOP("records", "spoil")},
+    Word{"stored", QT_TRANSLATE_NOOP("records", "stored")},
+    Word{"stratigraphic", QT_TRANSLATE_NOOP("records", "by stratigraphic units")},
+    Word{"submitted", QT_TRANSLATE_NOOP("records", "submitted")},
+    Word{"top", QT_TRANSLATE_NOOP("records", "top")},
+    Word{"typed", QT_TRANSLATE_NOOP("records", "date of the unit itself")},
+    Word{"uncertain", QT_TRANSLATE_NOOP("records", "uncertain")},
+    Word{"unexcavated", QT_TRANSLATE_NOOP("records", "not excavated yet")},
+    Word{"unit", QT_TRANSLATE_NOOP("records", "unit")},
+    Word{"water", QT_TRANSLATE_NOOP("records", "water")},
+};
+
 template<class Words>
 QString word_for(const Words& words, const QString& name) {
     const std::string key = name.toStdString();
@@ -89,6 +160,17 @@ QString word_for(const Words& words, const QString& name) {
 
 QString record_list_title(const QString& kind) { return word_for(kTitles, kind); }
 
+QString record_thing_word(const QString& kind) { return word_for(kThings, kind); }
+
 QString record_field_label(const QString& field) { return word_for(kLabels, field); }
+
+QString record_name_form(const QString& kind) { return word_for(kNameForms, kind); }
+
+QString record_value_word(const QString& kind, const QString& field, const QString& stored) {
+    // One word that means two things: the bottom of a cut was levelled, a bare cut was drawn.
+    if (kind == QLatin1String("level") && field == QLatin1String("role") && stored == QLatin1String("cut"))
+        return QCoreApplication::translate("records", "bottom of the cut");
+    return word_for(kValues, stored);
+}
 
 } // namespace planum::gui

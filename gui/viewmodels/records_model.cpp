@@ -4,9 +4,36 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/text.hpp"
+#include "gui/viewmodels/record_words.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
+
+namespace {
+
+RecordsModel::FieldLine line_of(const QString& kind, const app::FieldInfo& info, const app::FieldValues& values) {
+    RecordsModel::FieldLine line;
+    line.name = qt(info.name);
+    // The words are offered, so that the help need not list them.
+    const std::string listed = " (" + text::join(info.words, ", ") + ")";
+    std::string help = info.help;
+    if (!info.words.empty() && help.ends_with(listed)) help.resize(help.size() - listed.size());
+    line.help = service_sentence(help);
+    for (const std::string& word : info.words) {
+        line.stored << qt(word);
+        line.choices << record_value_word(kind, line.name, line.stored.back());
+    }
+    for (const auto& [field, text] : values) {
+        if (field == info.name) line.value = qt(text);
+    }
+    const auto at = line.stored.indexOf(line.value);
+    if (at >= 0) line.value = line.choices[at];
+    return line;
+}
+
+} // namespace
 
 RecordsModel::RecordsModel(Workspace& workspace, QObject* parent) : QObject(parent), workspace_(workspace) {
     connect(&workspace_, &Workspace::snapshotChanged, this, &RecordsModel::list_again);
@@ -41,7 +68,7 @@ void RecordsModel::set_kind(const QString& kind) {
     list_again();
 }
 
-QString RecordsModel::name_form() const { return qt(app::record_kind(kind_).name_form()); }
+QString RecordsModel::name_form() const { return record_name_form(kind()); }
 
 void RecordsModel::list_again() {
     stale_ = true;
@@ -80,11 +107,7 @@ void RecordsModel::show_chosen() {
                         const app::FieldValues values = table.show(project, name.toStdString());
                         std::vector<FieldLine> fields;
                         for (const app::FieldInfo& info : table.fields()) {
-                            FieldLine line{qt(info.name), qt(info.help), {}};
-                            for (const auto& [field, text] : values) {
-                                if (field == info.name) line.value = qt(text);
-                            }
-                            fields.push_back(std::move(line));
+                            fields.push_back(line_of(qt(kind), info, values));
                         }
                         return [this, name, fields = std::move(fields)] {
                             if (name != chosen_) return;
@@ -99,7 +122,7 @@ void RecordsModel::add(const QString& name, const QString& first_field, const QS
     if (!first_field.isEmpty()) values.emplace_back(first_field.toStdString(), value.toStdString());
     auto made = std::make_shared<std::string>();
     workspace_.edit(
-        tr("Add %1 %2").arg(kind(), name),
+        tr("Add %1 %2").arg(record_thing_word(kind()), name),
         [kind = kind_, wanted = name.toStdString(), values, made](app::Project& project, Progress&) {
             *made = app::record_kind(kind).add(project, wanted, values);
         },
@@ -107,19 +130,23 @@ void RecordsModel::add(const QString& name, const QString& first_field, const QS
 }
 
 void RecordsModel::set_field(const QString& field, const QString& value) {
+    QString stored = value;
     for (const FieldLine& line : fields_) {
-        if (line.name == field && line.value == value) return;
+        if (line.name != field) continue;
+        if (line.value == value) return;
+        const auto at = line.choices.indexOf(value);
+        if (at >= 0) stored = line.stored[at];
     }
-    workspace_.edit(tr("Change %1 %2").arg(kind(), chosen_),
+    workspace_.edit(tr("Change %1 %2").arg(record_thing_word(kind()), chosen_),
                     [kind = kind_, name = chosen_.toStdString(), field = field.toStdString(),
-                     value = value.toStdString()](app::Project& project, Progress&) {
+                     value = stored.toStdString()](app::Project& project, Progress&) {
                         app::record_kind(kind).set(project, name, {{field, value}});
                     });
 }
 
 void RecordsModel::remove() {
     if (chosen_.isEmpty()) return;
-    workspace_.edit(tr("Delete %1 %2").arg(kind(), chosen_),
+    workspace_.edit(tr("Delete %1 %2").arg(record_thing_word(kind()), chosen_),
                     [kind = kind_, name = chosen_.toStdString()](app::Project& project, Progress&) {
                         app::record_kind(kind).remove(project, name);
                     });

@@ -22,7 +22,9 @@ class RecordsModel : public QObject {
     struct FieldLine {
         QString name;
         QString help;
-        QString value;
+        QString value;       ///< as the window says it
+        QStringList choices; ///< of an enumeration; empty: free text
+        QStringList stored;  ///< what each choice is in the record
     };
 
     explicit RecordsModel(Workspace& workspace, QObject* parent = nullptr);
@@ -35,7 +37,7 @@ class RecordsModel : public QObject {
 
     [[nodiscard]] QString kind() const { return QString::fromStdString(kind_); }
 
-    /// How one is named: `NUMBER`, `UNIT/ROLE#n`, ….
+    /// What names a new one: `number of the find`.
     [[nodiscard]] QString name_form() const;
 
     [[nodiscard]] const QStringList& names() const noexcept { return names_; }
@@ -47,6 +49,7 @@ class RecordsModel : public QObject {
     [[nodiscard]] const std::vector<FieldLine>& fields() const noexcept { return fields_; }
 
     void add(const QString& name, const QString& first_field = {}, const QString& value = {});
+    /// `value` as the window says it.
     void set_field(const QString& field, const QString& value);
     void remove();
 

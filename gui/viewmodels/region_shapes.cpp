@@ -74,7 +74,7 @@ RegionShape shape_of_region(const app::Snapshot& snapshot, const model::Region& 
     shape.unit = region.unit;
     shape.category = region.category;
     shape.shows = region.shows;
-    shape.label = qt(app::region_label(snapshot.record(), snapshot.index(), region));
+    shape.label = outline_word(snapshot.index(), region);
     const model::UnitIndex at = snapshot.index().find(region.unit);
     if (at != model::kNoUnit) {
         shape.kind = snapshot.record().units[at].kind;

@@ -166,22 +166,16 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences", "%1: the %2 of %3 is %4 here and was %5 before; the first is kept"),
     QT_TRANSLATE_NOOP("sentences", "%1 stands in no order to any other unit"),
     QT_TRANSLATE_NOOP("sentences", "%1 units stand in no order to any other unit, among them %2"),
-    QT_TRANSLATE_NOOP("sentences", "%1 scans are not on the site grid (planum register), among them %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 scans are placed poorly, among them %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 units are named in relations but have no sheet of their own, among them %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 stands where it does only to %2 mm and %3 degrees: %4"),
     QT_TRANSLATE_NOOP("sentences", "the run says no more"),
-    QT_TRANSLATE_NOOP("sentences",
-                      "%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why"),
     QT_TRANSLATE_NOOP("sentences", "%1 patches of ground on which scans of one surface disagree, among them %2"),
     QT_TRANSLATE_NOOP(
         "sentences",
         "%1, but over %2 m² the bare cut %3 came out where %4 had been, %5 m lower: %6, or %7 cuts %8 from "
         "beside"),
     QT_TRANSLATE_NOOP("sentences", "%1 patches of ground rose, among them %2"),
-    QT_TRANSLATE_NOOP("sentences",
-                      "on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but "
-                      "stands first in the order of surfaces: put them in their order (planum surface set --order)"),
     QT_TRANSLATE_NOOP("sentences", "ground without a unit"),
     QT_TRANSLATE_NOOP(
         "sentences", "on %1 scans disagree over %2 m² of %3 near %4 at %5 to %6 m: %7 shows it %8 m higher than %9; it "
@@ -236,6 +230,26 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences", "%1 December %2"),
 };
 
+// Sentences that send people to the command line, and what the window says instead.
+struct Reworded {
+    const char* said;
+    const char* here;
+};
+
+constexpr std::array kReworded = {
+    Reworded{"%1 scans are not on the site grid (planum register), among them %2",
+             QT_TRANSLATE_NOOP("sentences", "%1 scans are not on the site grid, among them %2")},
+    Reworded{"%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why",
+             QT_TRANSLATE_NOOP("sentences", "%1 is not on the site grid, so nothing can be concluded from it; Register "
+                                            "in the list of scans says why")},
+    Reworded{"on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands "
+             "first in the order of surfaces: put them in their order (planum surface set --order)",
+             QT_TRANSLATE_NOOP("sentences",
+                               "on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later "
+                               "day but stands first in the order of surfaces: put them in their order (Finds and "
+                               "lists › Surfaces › Place in time)")},
+};
+
 constexpr std::array kEvidence = {
     std::pair{"above_dug", QT_TRANSLATE_NOOP("evidence", "upper one dug")},
     std::pair{"area_m2", QT_TRANSLATE_NOOP("evidence", "area [m²]")},
@@ -280,12 +294,18 @@ QString translated(const char* context, const QString& english) {
     return QCoreApplication::translate(context, english.toUtf8().constData());
 }
 
-const std::vector<SentenceForm>& forms() {
-    static const std::vector<SentenceForm> all = [] {
-        std::vector<SentenceForm> made;
-        for (const char* english : kSentences) made.emplace_back(english);
+struct KnownForm {
+    SentenceForm said;
+    QString here;
+};
+
+const std::vector<KnownForm>& forms() {
+    static const std::vector<KnownForm> all = [] {
+        std::vector<KnownForm> made;
+        for (const char* english : kSentences) made.push_back({SentenceForm(english), QString::fromUtf8(english)});
+        for (const Reworded& one : kReworded) made.push_back({SentenceForm(one.said), QString::fromUtf8(one.here)});
         std::stable_sort(made.begin(), made.end(),
-                         [](const SentenceForm& a, const SentenceForm& b) { return a.letters() > b.letters(); });
+                         [](const KnownForm& a, const KnownForm& b) { return a.said.letters() > b.said.letters(); });
         return made;
     }();
     return all;
@@ -320,15 +340,15 @@ std::optional<QString> known_list(const QString& text, int depth) {
 
 std::optional<QString> known(const QString& text, int depth) {
     if (text.isEmpty() || depth > kDeepest) return std::nullopt;
-    for (const SentenceForm& form : forms()) {
-        auto parts = form.fit(text);
+    for (const KnownForm& form : forms()) {
+        auto parts = form.said.fit(text);
         if (!parts) continue;
         for (auto& [place, words] : *parts) {
             auto inner = known_list(words, depth);
             if (!inner) inner = known(words, depth + 1);
             words = inner.value_or(words);
         }
-        return filled(translated("sentences", form.english()), *parts);
+        return filled(translated("sentences", form.here), *parts);
     }
     return std::nullopt;
 }

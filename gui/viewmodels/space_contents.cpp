@@ -105,7 +105,7 @@ void SpaceContents::add_outlines(Node& place, Kind kind) const {
     group.kind = kind;
     for (const model::Region& region : snapshot.record().regions) {
         if (group_of(region) != GroupKey{place.place, kind}) continue;
-        QString name = qt(app::region_label(snapshot.record(), snapshot.index(), region));
+        QString name = outline_word(snapshot.index(), region);
         if (region.part > 1) name += QStringLiteral(" #%1").arg(region.part);
         Node& node = group.add(name);
         node.thing = region.id.value;

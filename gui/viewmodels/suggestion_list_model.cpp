@@ -11,6 +11,7 @@
 #include "app/scans/days_surface.hpp"
 #include "app/suggestions/suggestions.hpp"
 #include "gui/viewmodels/sentences.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -45,7 +46,7 @@ QStringList lines_of_unused(const std::vector<app::UnusedSurface>& unused) {
             names = SuggestionListModel::tr("%1 and %n more", nullptr, static_cast<int>(surfaces.size()) - kNamed)
                         .arg(names);
         }
-        lines << QStringLiteral("%1: %2").arg(names, in_window_language(why));
+        lines << QStringLiteral("%1: %2").arg(names, service_sentence(why));
     }
     return lines;
 }

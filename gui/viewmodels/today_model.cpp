@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/checks/today.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -49,7 +50,7 @@ void TodayModel::read() {
             std::vector<Line> sheets;
             for (const app::IncompleteSheet& sheet : today.incomplete_sheets) {
                 QStringList missing;
-                for (const std::string& what : sheet.missing) missing << qt(what);
+                for (const std::string& what : sheet.missing) missing << service_sentence(what);
                 sheets.push_back(
                     {qt(sheet.unit), tr("%1 lacks %2").arg(qt(sheet.unit), missing.join(QStringLiteral(", ")))});
             }

@@ -7,7 +7,9 @@
 
 #include "app/records/record_kind.hpp"
 #include "core/base/text.hpp"
+#include "gui/viewmodels/log_words.hpp"
 #include "gui/viewmodels/paper_file.hpp"
+#include "gui/viewmodels/record_words.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -21,6 +23,16 @@ QString joined(std::initializer_list<std::string_view> parts) {
     for (const std::string_view part : parts) {
         if (!part.empty()) words << qt(part);
     }
+    return words.join(QStringLiteral(", "));
+}
+
+QString stored_word(const char* kind, const char* field, std::string_view stored) {
+    return record_value_word(QString::fromLatin1(kind), QString::fromLatin1(field), qt(stored));
+}
+
+QString joined(const QStringList& parts) {
+    QStringList words = parts;
+    words.removeAll(QString());
     return words.join(QStringLiteral(", "));
 }
 
@@ -86,7 +98,7 @@ void UnitCardModel::fill_relations(model::UnitIndex at) {
             for (const model::Source& file : record.sources) {
                 if (file.id == statement.source) source = tr("%1, line %2").arg(qt(file.name)).arg(statement.line);
             }
-            said << QStringLiteral("“%1”  %2").arg(qt(statement.raw_text), source);
+            said << tr("“%1”  %2").arg(qt(statement.raw_text), source);
         }
         line.said_by = said.join(QLatin1Char('\n'));
         relations_.push_back(std::move(line));
@@ -110,10 +122,15 @@ void UnitCardModel::fill_lines() {
         if (find.unit == unit_) lines_.push_back({tr("find"), joined({find.number, find.type, find.material})});
     }
     for (const model::Sample& sample : record.samples) {
-        if (sample.unit == unit_) lines_.push_back({tr("sample"), joined({sample.number, sample.type, sample.state})});
+        if (sample.unit == unit_)
+            lines_.push_back(
+                {tr("sample"), joined(QStringList{qt(sample.number), stored_word("sample", "type", sample.type),
+                                                  stored_word("sample", "state", sample.state)})});
     }
     for (const model::Dating& dating : record.datings) {
-        if (dating.unit == unit_) lines_.push_back({tr("date"), joined({dating.label, to_word(dating.kind)})});
+        if (dating.unit == unit_)
+            lines_.push_back({tr("date"), joined(QStringList{qt(dating.label),
+                                                             stored_word("dating", "kind", to_word(dating.kind))})});
     }
 }
 
@@ -126,7 +143,7 @@ void UnitCardModel::fill_papers() {
         return text::natural_order(a->number, b->number) < 0;
     });
     for (const model::Document* paper : papers) {
-        const QString type = paper->type.empty() ? tr("paper") : qt(paper->type);
+        const QString type = paper->type.empty() ? tr("paper") : stored_word("document", "type", paper->type);
         const QString name = joined({paper->number, paper->title});
         const QString path = qt(paper->path);
         if (names_picture(path)) {
@@ -232,11 +249,13 @@ void UnitCardModel::load_history() {
                         QStringList lines;
                         for (const store::LogEntry& entry : project.file().log(unit.value, kMost)) {
                             QString line = qt(entry.made_at).left(16).replace(QLatin1Char('T'), QLatin1Char(' ')) +
-                                           QStringLiteral("  ") + qt(entry.author) + QStringLiteral("  ") +
-                                           qt(entry.action);
+                                           QStringLiteral("  ") + author_word(entry.author) + QStringLiteral("  ") +
+                                           log_action_word(entry.action);
                             if (!entry.field.empty()) {
-                                line += QStringLiteral(" %1: “%2” → “%3”")
-                                            .arg(qt(entry.field), qt(entry.old_value), qt(entry.new_value));
+                                line += QLatin1Char(' ') + tr("%1: “%2” → “%3”")
+                                                               .arg(stored_field_label(entry.field),
+                                                                    stored_value_word(entry.field, entry.old_value),
+                                                                    stored_value_word(entry.field, entry.new_value));
                             }
                             lines << line;
                         }

@@ -113,6 +113,12 @@ QString category_word(model::RegionCategory category) {
     return {};
 }
 
+QString outline_word(const model::RecordIndex& index, const model::Region& region) {
+    if (!region.unit.is_nil()) return qt(index.name(region.unit));
+    if (!region.unit_as_drawn.empty()) return qt(region.unit_as_drawn);
+    return region.category == model::RegionCategory::Unit ? QStringLiteral("?") : category_word(region.category);
+}
+
 QString shows_word(model::RegionShows shows) {
     using model::RegionShows;
     switch (shows) {

@@ -9,6 +9,7 @@
 #include "core/model/diagnostic.hpp"
 #include "core/model/measured.hpp"
 #include "core/model/place.hpp"
+#include "core/model/record.hpp"
 #include "core/model/relation.hpp"
 #include "core/model/unit.hpp"
 
@@ -26,6 +27,8 @@ namespace planum::gui {
 [[nodiscard]] QString severity_word(model::Severity severity);
 [[nodiscard]] QString level_word(model::LevelRole role);
 [[nodiscard]] QString category_word(model::RegionCategory category);
+/// What is written on an outline: the number of its unit, or what it encloses.
+[[nodiscard]] QString outline_word(const model::RecordIndex& index, const model::Region& region);
 /// `shows: its top`, as the outline tool offers it.
 [[nodiscard]] QString shows_word(model::RegionShows shows);
 /// What a check is about, from its code: `cycle` → "Cycle".

@@ -12,6 +12,7 @@
 
 #include "core/base/error.hpp"
 #include "gui/viewmodels/change_labels.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 
 namespace planum::gui {
@@ -103,14 +104,15 @@ void Workspace::start_opening(const QString& title, std::function<app::Project()
         return [this, holder, report, snapshot = std::move(snapshot)]() mutable {
             if (holder != holder_) return; // another one was opened meanwhile
             if (report.import_only) {
-                read_only_because_ = tr("this file may only be read: %1")
-                                         .arg(qt(fmt::format("{}", fmt::join(report.import_only_because, "; "))));
+                read_only_because_ =
+                    tr("this file may only be read: %1")
+                        .arg(service_sentence(fmt::format("{}", fmt::join(report.import_only_because, "; "))));
             }
             snapshot_ = std::move(snapshot);
             watch();
             emit opened();
             emit snapshotChanged();
-            for (const std::string& note : report.notes) emit noted(qt(note));
+            for (const std::string& note : report.notes) emit noted(service_sentence(note));
         };
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, title, Job::Kind::Asked, std::move(work),

@@ -13,6 +13,11 @@ namespace {
 
 const QString kKey = QStringLiteral("language");
 
+QString& applied() {
+    static QString code;
+    return code;
+}
+
 } // namespace
 
 QStringList languages() {
@@ -35,8 +40,11 @@ QString chosen_language() {
 
 void choose_language(const QString& code) { QSettings().setValue(kKey, code); }
 
+QString window_language() { return applied().isEmpty() ? chosen_language() : applied(); }
+
 void apply_language(const QString& code) {
     const QString wanted = code.isEmpty() ? chosen_language() : code;
+    applied() = wanted;
     auto* own = new QTranslator(qApp);
     if (own->load(QStringLiteral(":/translations/planum_%1.qm").arg(wanted))) QCoreApplication::installTranslator(own);
     if (wanted == QLatin1String("en")) return; // only its plurals

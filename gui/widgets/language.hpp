@@ -18,6 +18,9 @@ namespace planum::gui {
 /// Keeps it for the next start.
 void choose_language(const QString& code);
 
+/// What the window is in: given to this start, or chosen_language().
+[[nodiscard]] QString window_language();
+
 /// Puts the whole program into that language; empty: chosen_language(). Before the first window is made.
 void apply_language(const QString& code);
 

@@ -13,21 +13,21 @@ DrawingWords german_words() {
     words.with_finds = "mit Funden";
     words.inner_cycle = "Widerspruch, den keine Linie zeigt";
     words.uncertain = "unsicher";
-    words.through = "über nicht gezeichnete Einheiten";
+    words.through = "über nicht gezeichnete Befunde";
     words.in_cycle = "in einem Kreis";
     words.against_bands = "gegen die Streifen";
-    words.isolated = "Ohne gezeichnete Ordnung ({})";
+    words.isolated = "Ohne gezeichnete Abfolge ({})";
     words.untitled = "Harris-Matrix";
-    words.one_unit = "1 Einheit";
-    words.units = "{} Einheiten";
-    words.some_units = "{} von {} Einheiten";
-    words.area = "Fläche {}";
-    words.around = "um Einheit {}";
+    words.one_unit = "1 Befund";
+    words.units = "{} Befunde";
+    words.some_units = "{} von {} Befunden";
+    words.area = "Schnitt {}";
+    words.around = "um Befund {}";
     words.problems = "Probleme";
     words.changed_since = "geändert seit {}";
     words.compared = "{}, verglichen mit {}";
-    words.record = "der Grabungsbefund";
-    words.description = "Harris-Matrix: {} in {}, {}; spätere Einheiten stehen über früheren.";
+    words.record = "die Aufnahme";
+    words.description = "Harris-Matrix: {} in {}, {}; jüngere Befunde stehen über älteren.";
     words.one_box = "1 Kasten";
     words.boxes = "{} Kästen";
     words.one_order = "1 unmittelbare Abfolge";
@@ -39,7 +39,7 @@ DrawingWords german_words() {
     words.sheets = "Blätter";
     words.map = "Blattübersicht";
     words.index = "Verzeichnis";
-    words.unit_and_sheet = "Einheit und Blatt";
+    words.unit_and_sheet = "Befund und Blatt";
     return words;
 }
 

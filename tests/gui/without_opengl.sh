@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Where Qt runs without a screen although a display is at hand, 3D says why it cannot be shown, and nothing crashes:
 # without_opengl.sh PLANUM PLANUM-DESKTOP
+# And without a display the help names the program.
 set -euo pipefail
 planum=$1
 desktop=$2
@@ -10,3 +11,5 @@ trap 'rm -rf "$folder"' EXIT
 QT_QPA_PLATFORM=offscreen xvfb-run -a -s "-screen 0 1280x1024x24" \
   "$desktop" --screenshot 3d -o "$folder/3d.png" "$folder/site.gpkg"
 test -s "$folder/3d.png"
+env -u DISPLAY "$desktop" --help >"$folder/help.txt"
+grep -q '^Usage: planum-desktop ' "$folder/help.txt"

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "gui/viewmodels/change_labels.hpp"
+#include "gui/viewmodels/log_words.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/theme.hpp"
@@ -45,7 +46,7 @@ void HistoryPanel::fill() {
         const QString label = change_label(change.label);
         const QString what = change.undone ? tr("%1 (taken back)").arg(label) : label;
         int at = 0;
-        for (const QString& text : {when, qt(change.author), what}) {
+        for (const QString& text : {when, author_word(change.author), what}) {
             auto* item = new QTableWidgetItem(text);
             QFont font = item->font();
             font.setStrikeOut(change.undone && at == 2);

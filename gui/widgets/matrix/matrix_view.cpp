@@ -28,7 +28,7 @@ MatrixView::MatrixView(Models& models)
       part_(new QComboBox), fold_(new QComboBox), titles_(new QToolButton), evidence_(new QToolButton),
       count_(new QLabel) {
     setObjectName(QStringLiteral("matrix"));
-    matrix_.set_language(chosen_language().toStdString());
+    matrix_.set_language(window_language().toStdString());
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -91,10 +91,14 @@ PanoramaView::PanoramaView(Models& models)
     scan_->setObjectName(QStringLiteral("panoramaScan"));
     scan_->setMinimumWidth(180);
     projection_->setAccessibleName(tr("Projection"));
-    for (const char* name : {"equirectangular", "cylindrical", "mercator", "miller", "equal-area", "rectilinear",
-                             "pannini", "stereographic"}) {
-        projection_->addItem(QString::fromLatin1(name));
-    }
+    projection_->addItem(tr("equirectangular"), QStringLiteral("equirectangular"));
+    projection_->addItem(tr("cylindrical"), QStringLiteral("cylindrical"));
+    projection_->addItem(tr("Mercator"), QStringLiteral("mercator"));
+    projection_->addItem(tr("Miller"), QStringLiteral("miller"));
+    projection_->addItem(tr("equal-area"), QStringLiteral("equal-area"));
+    projection_->addItem(tr("rectilinear"), QStringLiteral("rectilinear"));
+    projection_->addItem(tr("Pannini"), QStringLiteral("pannini"));
+    projection_->addItem(tr("stereographic"), QStringLiteral("stereographic"));
     channel_->setAccessibleName(tr("Channel"));
     channel_->addItem(tr("as scanned"), QString());
     channel_->addItem(tr("reflectance"), QStringLiteral("reflectance"));
@@ -102,7 +106,8 @@ PanoramaView::PanoramaView(Models& models)
     channel_->addItem(tr("colour"), QStringLiteral("colour"));
     channel_->addItem(tr("shaded"), QStringLiteral("normals"));
     connect(scan_, &QComboBox::textActivated, &panorama_, &PanoramaModel::set_scan);
-    connect(projection_, &QComboBox::textActivated, &panorama_, &PanoramaModel::set_projection);
+    connect(projection_, &QComboBox::activated, this,
+            [this] { panorama_.set_projection(projection_->currentData().toString()); });
     connect(channel_, &QComboBox::activated, this,
             [this] { panorama_.set_channel(channel_->currentData().toString()); });
     lay_out(kPanorama, canvas_, bar_, {scan_, projection_, channel_});

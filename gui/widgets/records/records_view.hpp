@@ -29,6 +29,7 @@ class RecordsView : public QWidget {
   private:
     void show_names();
     void show_fields();
+    [[nodiscard]] QWidget* editor_of(const RecordsModel::FieldLine& field);
 
     Models& models_;
     RecordsModel records_;
@@ -36,6 +37,7 @@ class RecordsView : public QWidget {
     QLineEdit* search_;
     QLineEdit* fresh_;
     QListWidget* names_;
+    QPushButton* add_;
     QPushButton* delete_;
     QScrollArea* scroll_;
 };

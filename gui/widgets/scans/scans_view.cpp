@@ -14,6 +14,7 @@
 
 #include "app/scans/list_scans.hpp"
 #include "gui/viewmodels/models.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -30,7 +31,8 @@ QStringList cells(const app::ListedScan& scan) {
             placed ? ScansView::tr("on the site grid") : ScansView::tr("not placed yet"),
             placed ? QString::number(1000.0 * scan.rms, 'f', 1) : QString(),
             placed ? QString::number(1000.0 * scan.sigma_position, 'f', 1) : QString(),
-            scan.original_there ? qt(scan.verdict) : ScansView::tr("the original file is not where it was")};
+            scan.original_there ? service_sentence(scan.verdict)
+                                : ScansView::tr("the original file is not where it was")};
 }
 
 } // namespace
@@ -49,8 +51,10 @@ ScansView::ScansView(Models& models)
     table_->verticalHeader()->setDefaultSectionSize(theme().touch - 4);
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    table_->setColumnWidth(0, 180);
-    table_->setColumnWidth(3, 140);
+    const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
+    table_->setColumnWidth(0, 22 * digit);
+    table_->setColumnWidth(3, 17 * digit);
+    table_->setWordWrap(false);
     register_->setObjectName(QStringLiteral("registerScans"));
     register_->setToolTip(tr("Puts the scans on the site grid that are not there yet"));
     said_->setProperty("role", "faint");
@@ -79,6 +83,13 @@ ScansView::ScansView(Models& models)
     column->setSpacing(0);
     column->addLayout(head);
     column->addWidget(table_, 1);
+    const auto enable = [this, add, markers] {
+        const bool writable = models_.workspace.is_open() && models_.workspace.read_only_because().isEmpty();
+        for (QPushButton* button : {add, markers, register_}) button->setEnabled(writable);
+    };
+    connect(&models_.workspace, &Workspace::opened, this, enable);
+    connect(&models_.workspace, &Workspace::closed, this, enable);
+    enable();
     connect(&models_.workspace, &Workspace::snapshotChanged, this, &ScansView::list_again);
     connect(&models_.workspace, &Workspace::closed, this, [this] {
         table_->setRowCount(0);

@@ -16,6 +16,7 @@
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/language.hpp"
 #include "paint/drawing_pdf.hpp"
@@ -55,7 +56,7 @@ QString export_file(app::Project& project, const std::filesystem::path& file, Pr
     }
     if (ending == ".svg" || ending == ".pdf" || ending == ".png") {
         app::DrawRequest whole;
-        whole.language = chosen_language().toStdString();
+        whole.language = window_language().toStdString();
         const strat::MatrixDrawing drawing =
             shown != nullptr ? *shown : app::draw_matrix(project, whole, measure, progress);
         paint::PdfOptions pdf;
@@ -71,7 +72,7 @@ QString export_file(app::Project& project, const std::filesystem::path& file, Pr
     QStringList sentences;
     for (const auto& written : exported.files) sentences << wrote(written);
     for (const std::string& lost : exported.lost) {
-        sentences << QCoreApplication::translate("export", "not carried: %1").arg(qt(lost));
+        sentences << QCoreApplication::translate("export", "not carried: %1").arg(service_sentence(lost));
     }
     return sentences.join(QStringLiteral("; "));
 }
@@ -103,7 +104,7 @@ QString write_plan_file(app::Project& project, const std::filesystem::path& file
     const app::PlanSheet made = app::plan_sheet(project, request, progress);
     write_sheet(made.sheet, file, scale, progress);
     QStringList sentences{wrote(file)};
-    for (const std::string& note : made.notes) sentences << qt(note);
+    for (const std::string& note : made.notes) sentences << service_sentence(note);
     return sentences.join(QStringLiteral("; "));
 }
 

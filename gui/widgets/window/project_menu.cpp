@@ -185,8 +185,10 @@ void show_shortcuts(MainWindow& window) {
     }
     row(QStringLiteral("+  −  F"), ProjectMenu::tr("larger, smaller, the whole drawing"));
     row(QStringLiteral("← ↑ → ↓"), ProjectMenu::tr("along the orders of the matrix, or move the picture"));
-    row(QStringLiteral("Backspace"), ProjectMenu::tr("while drawing: last corner back"));
-    row(QStringLiteral("Esc"), ProjectMenu::tr("while drawing: cancel (can be taken back)"));
+    row(QKeySequence(Qt::Key_Backspace).toString(QKeySequence::NativeText),
+        ProjectMenu::tr("while drawing: last corner back"));
+    row(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText),
+        ProjectMenu::tr("while drawing: cancel (can be taken back)"));
     auto* dialog = new QDialog(&window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(ProjectMenu::tr("Shortcuts"));

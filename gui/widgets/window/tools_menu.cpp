@@ -12,6 +12,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
+#include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/choice_dialog.hpp"
 #include "gui/widgets/window/main_window.hpp"
@@ -126,7 +127,7 @@ void ToolsMenu::show_answer(const Answer& answer) {
                 write_file_atomically(file.toStdString(), answer.file);
                 emit window_.models().day.done(tr("wrote %1").arg(file));
             } catch (const Error& e) {
-                window_.models().workspace.say(qt(e.what()));
+                window_.models().workspace.say(service_sentence(std::string(e.what())));
             }
         });
     }

@@ -115,5 +115,5 @@ TEST_CASE("All words of the drawing's own come from the table") {
     CHECK(german.units.find("{}") != std::string::npos);
     options.words = german;
     CHECK(test::drawing_of(a_matrix().above("1", "2").record(), options).description ==
-          "Harris-Matrix: 2 Einheiten in 2 Kästen, 1 unmittelbare Abfolge; spätere Einheiten stehen über früheren.");
+          "Harris-Matrix: 2 Befunde in 2 Kästen, 1 unmittelbare Abfolge; jüngere Befunde stehen über älteren.");
 }
