@@ -14,8 +14,8 @@ constexpr int kLinesBelow = 18;
 } // namespace
 
 DockSizes dock_sizes(int digit, int line, QSize window) {
-    return {std::min(kUnitsDigits * digit, window.width() * 3 / 10),
-            std::min(kCardDigits * digit, window.width() * 3 / 10), std::min(kLinesBelow * line, window.height() / 2)};
+    return {std::min(kUnitsDigits * digit, window.width() / 4), std::min(kCardDigits * digit, window.width() / 4),
+            std::min(kLinesBelow * line, window.height() / 3)};
 }
 
 } // namespace planum::gui

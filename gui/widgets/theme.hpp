@@ -18,6 +18,7 @@ struct Theme {
     QColor paper; ///< ground of lists, forms and drawings
     QColor ink;
     QColor faint; ///< secondary text; still 4.5 : 1 on paper
+    QColor off;   ///< what cannot be pressed or typed into
     QColor edge;  ///< lines between things
     QColor accent;
     QColor on_accent;

@@ -104,13 +104,15 @@ QLabel* label(const QString& text, const char* role) {
 
 CardPanel::CardPanel(Models& models)
     : models_(models), title_(new QLabel), subtitle_(new QLabel), new_number_(new QLineEdit),
-      more_(new QPushButton(tr("Full record"))), delete_(new QPushButton(tr("Delete"))),
-      entry_(new RelationEntryBar(models)), fields_(new QWidget), relations_(new QWidget), lines_(new QWidget),
-      photos_(new PhotoStrip(models.workspace)), history_(new QLabel), body_(new QWidget), nothing_(new QLabel) {
+      add_(new QPushButton(tr("Add unit"))), more_(new QPushButton(tr("Full record"))),
+      delete_(new QPushButton(tr("Delete"))), entry_(new RelationEntryBar(models)), fields_(new QWidget),
+      relations_(new QWidget), lines_(new QWidget), photos_(new PhotoStrip(models.workspace)), history_(new QLabel),
+      body_(new QWidget), scroll_(new QScrollArea), nothing_(new QLabel) {
     setObjectName(QStringLiteral("card"));
     title_->setProperty("role", "title");
     title_->setObjectName(QStringLiteral("cardTitle"));
     subtitle_->setProperty("role", "faint");
+    subtitle_->setWordWrap(true);
     nothing_->setProperty("role", "faint");
     nothing_->setWordWrap(true);
     nothing_->setText(tr("Select a unit in the list, the matrix or a problem, or add a new one."));
@@ -125,18 +127,17 @@ CardPanel::CardPanel(Models& models)
     connect(more_, &QPushButton::toggled, this, &CardPanel::show_full);
     connect(delete_, &QPushButton::clicked, &models_.card, &UnitCardModel::delete_unit);
 
-    auto* add = new QPushButton(tr("Add unit"));
-    add->setObjectName(QStringLiteral("addUnit"));
+    add_->setObjectName(QStringLiteral("addUnit"));
     const auto add_unit = [this] {
         models_.card.add_unit(new_number_->text());
         new_number_->clear();
     };
-    connect(add, &QPushButton::clicked, this, add_unit);
+    connect(add_, &QPushButton::clicked, this, add_unit);
     connect(new_number_, &QLineEdit::returnPressed, this, add_unit);
 
     auto* top = new QHBoxLayout;
     top->addWidget(new_number_, 1);
-    top->addWidget(add);
+    top->addWidget(add_);
     auto* head = new QWidget;
     auto* row = new FlowLayout(6);
     head->setLayout(row);
@@ -163,10 +164,9 @@ CardPanel::CardPanel(Models& models)
     lines_->layout()->setContentsMargins(0, 0, 0, 0);
     lines_->layout()->setSpacing(2);
 
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(body_);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setWidgetResizable(true);
+    scroll_->setWidget(body_);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* frame = new QVBoxLayout(this);
     frame->setContentsMargins(0, 0, 0, 0);
     frame->setSpacing(0);
@@ -178,7 +178,8 @@ CardPanel::CardPanel(Models& models)
     frame->addLayout(fixed);
     frame->addWidget(nothing_, 0, Qt::AlignTop);
     nothing_->setContentsMargins(12, 12, 12, 12);
-    frame->addWidget(scroll, 1);
+    frame->addWidget(scroll_, 1);
+    frame->addStretch(0);
 
     connect(&models_.card, &UnitCardModel::changed, this, &CardPanel::show_card);
     connect(&models_.card, &UnitCardModel::historyChanged, this, &CardPanel::show_history);
@@ -197,8 +198,11 @@ void CardPanel::show_card() {
     const bool any = !models_.card.unit().is_nil();
     nothing_->setVisible(!any);
     body_->setVisible(any);
+    scroll_->setVisible(any); // or its empty ground would stand below the hint
     new_number_->setPlaceholderText(tr("new unit: %1").arg(models_.card.next_number()));
     setEnabled(models_.workspace.is_open());
+    const bool writable = models_.workspace.read_only_because().isEmpty();
+    for (QWidget* part : std::initializer_list<QWidget*>{new_number_, add_, delete_}) part->setEnabled(writable);
     if (!any) return;
     title_->setText(tr("Unit %1").arg(models_.card.name()));
     subtitle_->setText(models_.workspace.read_only_because());

@@ -12,6 +12,7 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace planum::gui {
 
@@ -46,6 +47,7 @@ class CardPanel : public QWidget {
     QLabel* title_;
     QLabel* subtitle_;
     QLineEdit* new_number_;
+    QPushButton* add_;
     QPushButton* more_;
     QPushButton* delete_;
     RelationEntryBar* entry_;
@@ -55,6 +57,7 @@ class CardPanel : public QWidget {
     PhotoStrip* photos_;
     QLabel* history_;
     QWidget* body_;
+    QScrollArea* scroll_;
     QLabel* nothing_;
     bool full_ = false;
     std::string shown_; ///< what the fields show, so that they are not rebuilt under somebody's hands

@@ -15,6 +15,7 @@ namespace planum::gui {
 namespace {
 
 constexpr int kPlaceCharacters = 26;
+constexpr int kBesideToolsCharacters = 17; // `x 104.25  y 203.60`, where tools take the rest of the line
 
 } // namespace
 
@@ -24,7 +25,8 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
     setObjectName(name);
     place_->setObjectName(name + QStringLiteral("Place"));
     place_->setProperty("role", "faint");
-    place_->setMinimumWidth(fontMetrics().averageCharWidth() * kPlaceCharacters);
+    place_->setMinimumWidth(fontMetrics().averageCharWidth() *
+                            (choices.isEmpty() ? kBesideToolsCharacters : kPlaceCharacters));
     place_->setAlignment((choices.isEmpty() ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     auto* fit = new QToolButton;
     fit->setText(tr("Fit"));
@@ -49,8 +51,13 @@ void FlatPage::lay_out(const QString& name, FlatCanvas* canvas, OutlineBar* bar,
         top->setContentsMargins(0, 0, 8, 0);
         top->setSpacing(8);
         top->addWidget(bar, 1);
-        top->addWidget(place_);
-        top->addWidget(fit);
+        // One below the other: side by side they would leave the tools no room on a tablet.
+        auto* corner = new QVBoxLayout;
+        corner->setContentsMargins(0, 6, 0, 2);
+        corner->setSpacing(2);
+        corner->addWidget(fit, 0, Qt::AlignRight);
+        corner->addWidget(place_);
+        top->addLayout(corner);
         column->addLayout(top);
     }
     column->addWidget(canvas, 1);

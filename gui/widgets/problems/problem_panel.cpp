@@ -69,6 +69,12 @@ ProblemPanel::ProblemPanel(Models& models)
     sign_off->setObjectName(QStringLiteral("signOff"));
     sign_off->setToolTip(tr("What stands now is not new tomorrow; it is signed with your name."));
     connect(sign_off, &QPushButton::clicked, &models_.problems, &ProblemListModel::sign_off);
+    const auto enable = [this, sign_off] {
+        sign_off->setEnabled(models_.workspace.is_open() && models_.workspace.read_only_because().isEmpty());
+    };
+    connect(&models_.workspace, &Workspace::opened, this, enable);
+    connect(&models_.workspace, &Workspace::closed, this, enable);
+    enable();
     auto* head = new QVBoxLayout;
     head->setContentsMargins(10, 6, 10, 6);
     summary_->setWordWrap(true); // however long it gets, the window does not grow
@@ -165,15 +171,13 @@ void ProblemPanel::show_detail() {
         for (const QString& line : models_.problems.coverage()) column->addWidget(text_label(line, "faint"));
         return;
     }
-    auto* head = new QHBoxLayout;
-    head->addWidget(text_label(detail.title, "title"), 1);
+    column->addWidget(text_label(detail.title, "title"));
+    column->addWidget(text_label(detail.message));
     auto* known = new QPushButton(tr("Known because …"));
     known->setObjectName(QStringLiteral("acceptProblem"));
     known->setEnabled(models_.workspace.read_only_because().isEmpty());
     connect(known, &QPushButton::clicked, this, &ProblemPanel::accept);
-    head->addWidget(known, 0, Qt::AlignTop);
-    column->addLayout(head);
-    column->addWidget(text_label(detail.message));
+    column->addWidget(known, 0, Qt::AlignLeft); // below: beside a long title it would widen the page
     if (!detail.suspects.empty()) column->addWidget(text_label(tr("What to doubt"), "heading"));
     for (std::size_t i = 0; i < detail.suspects.size(); ++i) add_suspect(column, i, detail.suspects[i]);
     if (!detail.proof.isEmpty()) {

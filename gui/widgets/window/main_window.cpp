@@ -21,6 +21,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <utility>
+
 #include "gui/viewmodels/dock_sizes.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/language.hpp"
@@ -114,6 +116,10 @@ void MainWindow::make_views() {
     for (const auto& [name, dock] : docks_) {
         if (name == "problems") dock->raise();
     }
+}
+
+// When it is known how large the window is: a tablet's docks leave the middle more than they would on a desk.
+void MainWindow::size_docks() {
     const QFontMetrics metrics = fontMetrics();
     const DockSizes sizes = dock_sizes(metrics.horizontalAdvance(QLatin1Char('0')), metrics.lineSpacing(), size());
     resizeDocks({docks_.at("units"), docks_.at("card")}, {sizes.units, sizes.card}, Qt::Horizontal);
@@ -279,6 +285,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
     }
     project_menu_->take_files(files);
     event->acceptProposedAction();
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (!std::exchange(docks_sized_, true)) size_docks();
 }
 
 void MainWindow::leave_field() {

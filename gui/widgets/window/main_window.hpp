@@ -52,6 +52,7 @@ class MainWindow : public QMainWindow {
 
   protected:
     void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -59,6 +60,7 @@ class MainWindow : public QMainWindow {
     static bool ask_to_close(QWidget* parent, const QStringList& unsaved);
     void leave_field();
     void make_views();
+    void size_docks();
     void make_actions();
     void make_status();
     void fill_languages(QMenu& menu);
@@ -72,6 +74,7 @@ class MainWindow : public QMainWindow {
     QTabWidget* tabs_;
     std::map<std::string_view, QWidget*> views_;
     std::map<std::string_view, QDockWidget*> docks_;
+    bool docks_sized_ = false; ///< once; then they are as somebody drags them
     ProjectMenu* project_menu_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
