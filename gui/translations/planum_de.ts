@@ -927,27 +927,27 @@ Bitte den Namen prüfen.</translation>
     </message>
     <message>
         <source>Added %1 row of %2 with another program</source>
-        <translation>%1 Eintrag %2 mit einem anderen Programm angelegt</translation>
+        <translation>%2: %1 Eintrag mit einem anderen Programm angelegt</translation>
     </message>
     <message>
         <source>Added %1 rows of %2 with another program</source>
-        <translation>%1 Einträge %2 mit einem anderen Programm angelegt</translation>
+        <translation>%2: %1 Einträge mit einem anderen Programm angelegt</translation>
     </message>
     <message>
         <source>Changed %1 row of %2 with another program</source>
-        <translation>%1 Eintrag %2 mit einem anderen Programm geändert</translation>
+        <translation>%2: %1 Eintrag mit einem anderen Programm geändert</translation>
     </message>
     <message>
         <source>Changed %1 rows of %2 with another program</source>
-        <translation>%1 Einträge %2 mit einem anderen Programm geändert</translation>
+        <translation>%2: %1 Einträge mit einem anderen Programm geändert</translation>
     </message>
     <message>
         <source>Deleted %1 row of %2 with another program</source>
-        <translation>%1 Eintrag %2 mit einem anderen Programm gelöscht</translation>
+        <translation>%2: %1 Eintrag mit einem anderen Programm gelöscht</translation>
     </message>
     <message>
         <source>Deleted %1 rows of %2 with another program</source>
-        <translation>%1 Einträge %2 mit einem anderen Programm gelöscht</translation>
+        <translation>%2: %1 Einträge mit einem anderen Programm gelöscht</translation>
     </message>
     <message>
         <source>Import measured points of %1</source>
@@ -955,11 +955,11 @@ Bitte den Namen prüfen.</translation>
     </message>
     <message>
         <source>Restored %1 row of %2 with another program</source>
-        <translation>%1 Eintrag %2 mit einem anderen Programm zurückgeholt</translation>
+        <translation>%2: %1 Eintrag mit einem anderen Programm zurückgeholt</translation>
     </message>
     <message>
         <source>Restored %1 rows of %2 with another program</source>
-        <translation>%1 Einträge %2 mit einem anderen Programm zurückgeholt</translation>
+        <translation>%2: %1 Einträge mit einem anderen Programm zurückgeholt</translation>
     </message>
     <message>
         <source>Sign the day off</source>

@@ -146,7 +146,7 @@ void DifferenceModel::compare() {
             auto colours = std::make_shared<const GroundColours>(colours_of(change, span));
             return [this, wanted, colours, span, report = change.report] {
                 if (wanted != made_) return;
-                const auto area = [](double value) { return QString::number(value, 'f', 2); };
+                const auto area = [](double value) { return number_word(value, 2); };
                 DifferenceKey key;
                 key.span = span;
                 key.detectable = report.detectable;

@@ -56,10 +56,10 @@ QStringList moves(const app::RunComparison& comparison) {
         }
         lines << Inquiry::tr("%1: moves %2 mm, turns %3° (known within %4 and %5 mm)")
                      .arg(qt(scan.scan))
-                     .arg(scan.shift * 1e3, 0, 'f', 1)
-                     .arg(scan.turn_deg, 0, 'f', 3)
-                     .arg(scan.sigma_first * 1e3, 0, 'f', 1)
-                     .arg(scan.sigma_second * 1e3, 0, 'f', 1);
+                     .arg(number_word(scan.shift * 1e3, 1))
+                     .arg(number_word(scan.turn_deg, 3))
+                     .arg(number_word(scan.sigma_first * 1e3, 1))
+                     .arg(number_word(scan.sigma_second * 1e3, 1));
     }
     if (lines.isEmpty()) lines << Inquiry::tr("neither run placed a scan");
     return lines;
@@ -71,8 +71,8 @@ QStringList patch_lines(const app::ReadyPatches& found) {
         const QString unit = patch.proposed.empty() ? Inquiry::tr("unit not known") : qt(patch.proposed);
         lines << Inquiry::tr("%1: %2 m², %3 m since the surface before; %4: %5")
                      .arg(qt(patch.surface))
-                     .arg(patch.area, 0, 'f', 2)
-                     .arg(patch.change, 0, 'f', 2)
+                     .arg(number_word(patch.area, 2))
+                     .arg(number_word(patch.change, 2))
                      .arg(unit, in_window_language(patch.because));
     }
     if (found.patches.empty()) lines << Inquiry::tr("all ground that changed is outlined");
@@ -163,9 +163,9 @@ void Inquiry::clean() {
             }
             const app::Cleaned cleaned = app::clean_project(project, {}, progress);
             answer->lines << tr("%n file(s) removed, %1 MB", nullptr, static_cast<int>(cleaned.removed.size()))
-                                 .arg(static_cast<double>(cleaned.removed_bytes) / 1e6, 0, 'f', 1);
+                                 .arg(number_word(static_cast<double>(cleaned.removed_bytes) / 1e6, 1));
             answer->lines << tr("the project file is %1 MB shorter")
-                                 .arg(static_cast<double>(cleaned.freed_bytes) / 1e6, 0, 'f', 1);
+                                 .arg(number_word(static_cast<double>(cleaned.freed_bytes) / 1e6, 1));
             for (const auto& file : cleaned.removed) answer->lines << qt(file.string());
         },
         [this, answer] { emit answered(*answer); });

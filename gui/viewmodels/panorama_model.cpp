@@ -212,9 +212,12 @@ QString PanoramaModel::place_text(QPointF pixel) const {
     if (!loaded_ || pixel.x() < 0 || pixel.y() < 0) return {};
     const auto place = loaded_->panorama.surface_at({pixel.x(), pixel.y()});
     if (!place) return tr("nothing was measured here");
-    if (!loaded_->site_from_scan) return tr("%1 m from the scanner").arg(place->norm(), 0, 'f', 2);
+    if (!loaded_->site_from_scan) return tr("%1 m from the scanner").arg(number_word(place->norm(), 2));
     const Eigen::Vector3d site = *loaded_->site_from_scan * *place;
-    return tr("x %1  y %2  height %3 m").arg(site.x(), 0, 'f', 2).arg(site.y(), 0, 'f', 2).arg(site.z(), 0, 'f', 2);
+    return tr("x %1  y %2  height %3 m")
+        .arg(number_word(site.x(), 2))
+        .arg(number_word(site.y(), 2))
+        .arg(number_word(site.z(), 2));
 }
 
 QString PanoramaModel::why_no_ground() const {

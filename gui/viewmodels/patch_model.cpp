@@ -138,7 +138,7 @@ QString PatchModel::sentence() const {
         return tr("%n patch(es) changed and have no outline: click into one.", nullptr,
                   static_cast<int>(patches_.size()));
     const app::ReadyPatch& patch = patches_[static_cast<std::size_t>(chosen_)];
-    const QString numbers = tr("%1 m², %2 m").arg(patch.area, 0, 'f', 2).arg(patch.change, 0, 'f', 2);
+    const QString numbers = tr("%1 m², %2 m").arg(number_word(patch.area, 2)).arg(number_word(patch.change, 2));
     return QStringLiteral("%1 (%2)").arg(in_window_language(patch.because), numbers);
 }
 

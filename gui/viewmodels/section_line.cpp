@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/viewmodels/words.hpp"
+
 namespace planum::gui {
 
 namespace {
@@ -64,7 +66,7 @@ QString SectionLine::said() const {
     case State::WantsSecond:
         return objection_.isEmpty() ? tr("Click where it ends.")
                                     : objection_ + QLatin1Char(' ') + tr("Click where it ends.");
-    case State::Set: return tr("%1 m long").arg(length(), 0, 'f', 2);
+    case State::Set: return tr("%1 m long").arg(number_word(length(), 2));
     }
     return {};
 }

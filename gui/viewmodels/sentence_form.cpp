@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gui/viewmodels/sentence_form.hpp"
 
+#include <QLocale>
+
 #include <algorithm>
 
 namespace planum::gui {
@@ -52,6 +54,15 @@ QString filled(const QString& pattern, const std::vector<std::pair<int, QString>
         if (part != parts.end()) said += part->second;
     }
     return said;
+}
+
+QString with_window_numbers(const QString& sentence) {
+    const QString point = QLocale().decimalPoint();
+    if (point == QLatin1String(".")) return sentence;
+    static const QRegularExpression measure(
+        QStringLiteral("(?<![\\w.])(\\d+)\\.(\\d+)(?=\\s?(?:m²|m³|km|cm|mm|m|°|%|Grad|Standardabweichungen)(?!\\w))"));
+    QString said = sentence;
+    return said.replace(measure, QStringLiteral("\\1") + point + QStringLiteral("\\2"));
 }
 
 } // namespace planum::gui

@@ -36,4 +36,8 @@ class SentenceForm {
 /// The form in another language, with other words at its places; what `parts` has nothing for is left out.
 [[nodiscard]] QString filled(const QString& pattern, const std::vector<std::pair<int, QString>>& parts);
 
+/// A sentence of ours with its measures (`0.15 m`, `95.5 %`) written as in the language of the window. Numbers without
+/// a unit may be names and stay.
+[[nodiscard]] QString with_window_numbers(const QString& sentence);
+
 } // namespace planum::gui

@@ -355,7 +355,10 @@ std::optional<QString> known(const QString& text, int depth) {
 
 } // namespace
 
-QString in_window_language(const QString& english) { return known(english, 0).value_or(english); }
+QString in_window_language(const QString& english) {
+    const auto said = known(english, 0);
+    return said ? with_window_numbers(*said) : english;
+}
 
 QString in_window_language(const std::string& english) { return in_window_language(QString::fromStdString(english)); }
 

@@ -140,7 +140,10 @@ QString without_hints(const QString& text) {
 
 } // namespace
 
-QString service_sentence(const QString& english) { return said(english, 0).value_or(without_hints(english)); }
+QString service_sentence(const QString& english) {
+    const auto here = said(english, 0);
+    return here ? with_window_numbers(*here) : without_hints(english);
+}
 
 QString service_sentence(const std::string& english) { return service_sentence(QString::fromStdString(english)); }
 

@@ -162,9 +162,9 @@ QStringList SuggestionListModel::numbers() const {
     const Suggestion* s = suggestion();
     QStringList lines;
     if (s == nullptr || !workspace_.is_open()) return lines;
-    if (s->area > 0.0) lines << tr("area %1 m²").arg(s->area, 0, 'f', 2);
-    if (s->thickness > 0.0) lines << tr("thickness %1 m").arg(s->thickness, 0, 'f', 2);
-    if (s->confidence > 0.0) lines << tr("sure to %1 %").arg(100.0 * s->confidence, 0, 'f', 0);
+    if (s->area > 0.0) lines << tr("area %1 m²").arg(number_word(s->area, 2));
+    if (s->thickness > 0.0) lines << tr("thickness %1 m").arg(number_word(s->thickness, 2));
+    if (s->confidence > 0.0) lines << tr("sure to %1 %").arg(number_word(100.0 * s->confidence, 0));
     const model::Record& record = workspace_.snapshot()->record();
     QStringList surfaces;
     for (const model::SurfaceId id : s->surfaces) {

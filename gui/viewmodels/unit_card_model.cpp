@@ -16,7 +16,7 @@ namespace planum::gui {
 
 namespace {
 
-QString metres(double value) { return QStringLiteral("%1 m").arg(value, 0, 'f', 2); }
+QString metres(double value) { return QStringLiteral("%1 m").arg(number_word(value, 2)); }
 
 QString joined(std::initializer_list<std::string_view> parts) {
     QStringList words;

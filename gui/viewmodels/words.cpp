@@ -2,6 +2,7 @@
 #include "gui/viewmodels/words.hpp"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <array>
 #include <utility>
@@ -19,6 +20,12 @@ QString translated(const char* text) { return QCoreApplication::translate("words
 } // namespace
 
 QString qt(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())); }
+
+QString number_word(double value, int decimals) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'f', decimals);
+}
 
 QString kind_word(UnitKind kind, UnitForm form) {
     switch (form) {

@@ -17,6 +17,9 @@ namespace planum::gui {
 
 [[nodiscard]] QString qt(std::string_view utf8);
 
+/// A measure with so many decimals, written as in the language of the window; never grouped, as coordinates are not.
+[[nodiscard]] QString number_word(double value, int decimals);
+
 // Words of the record in the language of the window.
 
 /// `fill`, `masonry`, `cut`: the form where there is one, else the kind; empty for unknown.

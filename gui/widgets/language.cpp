@@ -45,6 +45,8 @@ QString window_language() { return applied().isEmpty() ? chosen_language() : app
 void apply_language(const QString& code) {
     const QString wanted = code.isEmpty() ? chosen_language() : code;
     applied() = wanted;
+    // Numbers follow the words; of its own language the system knows better which country's.
+    if (QLocale::system().language() != QLocale(wanted).language()) QLocale::setDefault(QLocale(wanted));
     auto* own = new QTranslator(qApp);
     if (own->load(QStringLiteral(":/translations/planum_%1.qm").arg(wanted))) QCoreApplication::installTranslator(own);
     if (wanted == QLatin1String("en")) return; // only its plurals

@@ -59,8 +59,7 @@ void PlanCanvas::refresh() {
         }
         for (const model::Level& level : record.levels) {
             if (level.x && level.y && level.unit == models().workspace.selected()) {
-                marks_.push_back(
-                    {Mark::Kind::Level, {*level.x, *level.y}, QString::number(level.z, 'f', 2), level.unit});
+                marks_.push_back({Mark::Kind::Level, {*level.x, *level.y}, number_word(level.z, 2), level.unit});
             }
         }
         // The whole site, so that the plan does not jump when the time line moves.
@@ -184,7 +183,7 @@ PlanView::PlanView(Models& models)
 }
 
 QString PlanView::words_for(QPointF place) const {
-    return QStringLiteral("x %1  y %2").arg(place.x(), 0, 'f', 2).arg(place.y(), 0, 'f', 2);
+    return QStringLiteral("x %1  y %2").arg(number_word(place.x(), 2)).arg(number_word(place.y(), 2));
 }
 
 void PlanView::refresh() {

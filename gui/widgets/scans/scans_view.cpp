@@ -29,8 +29,8 @@ QStringList cells(const app::ListedScan& scan) {
             locale.toString(static_cast<qlonglong>(scan.points)),
             qt(scan.surface),
             placed ? ScansView::tr("on the site grid") : ScansView::tr("not placed yet"),
-            placed ? QString::number(1000.0 * scan.rms, 'f', 1) : QString(),
-            placed ? QString::number(1000.0 * scan.sigma_position, 'f', 1) : QString(),
+            placed ? number_word(1000.0 * scan.rms, 1) : QString(),
+            placed ? number_word(1000.0 * scan.sigma_position, 1) : QString(),
             scan.original_there ? service_sentence(scan.verdict)
                                 : ScansView::tr("the original file is not where it was")};
 }

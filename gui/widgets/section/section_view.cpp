@@ -102,7 +102,7 @@ void SectionCanvas::paint_over(QPainter& painter) {
     for (double z = std::ceil(low / kStep) * kStep; z <= high; z += kStep) {
         const double foot = to_screen({0.0, z}).y() - 3.0;
         if (foot < painter.fontMetrics().ascent()) continue; // cut off by the border
-        painter.drawText(QPointF(6.0, foot), QString::number(z, 'f', 2) + QStringLiteral(" m"));
+        painter.drawText(QPointF(6.0, foot), number_word(z, 2) + QStringLiteral(" m"));
     }
 }
 
@@ -123,7 +123,7 @@ SectionView::SectionView(Models& models)
 }
 
 QString SectionView::words_for(QPointF place) const {
-    return tr("%1 m along, height %2 m").arg(place.x(), 0, 'f', 2).arg(place.y(), 0, 'f', 2);
+    return tr("%1 m along, height %2 m").arg(number_word(place.x(), 2)).arg(number_word(place.y(), 2));
 }
 
 void SectionView::refresh() {

@@ -54,6 +54,9 @@ TEST_CASE("In English a change is called as the project calls it") {
     test::ensure_core_application();
     for (const char* label : {"Add unit 1042", "Import 4 outlines", "Withdraw 1 covers 2: wrong sheet", "my own words"})
         CHECK(change_label(label) == QString::fromLatin1(label));
+    CHECK(change_label("Accept problem cycle of 1, 2") ==
+          QString::fromUtf8("Accept problem “Units above one another in a circle” (1, 2)"));
+    CHECK(change_label("Accept problem df92a1c04b") == QStringLiteral("Accept a problem"));
 }
 
 TEST_CASE("In German changes are called in German, with the thing and what relates to what") {
@@ -70,6 +73,11 @@ TEST_CASE("In German changes are called in German, with the thing and what relat
     is("Add 4 scans", "4 Scans aufnehmen");
     is("Import units.csv and 3 more", "units.csv und 3 weitere einlesen");
     is("Draw an outline of 900", "Umriss von 900 zeichnen");
+    is("Accept problem height-contradiction of 3, 5 and 2 more",
+       "Problem „Flächen widersprechen der Beziehung“ (3, 5 und 2 weitere) hinnehmen");
+    is("Accept problem df92a1c04b", "Ein Problem hinnehmen");
+    is("Sign the day off", "Tag abzeichnen");
+    is("Changed 3 rows of unit with another program", "Befund: 3 Einträge mit einem anderen Programm geändert");
     is("my own words", "my own words");
 }
 

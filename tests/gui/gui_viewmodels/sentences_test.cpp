@@ -2,6 +2,7 @@
 #include "gui/viewmodels/sentences.hpp"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QTranslator>
 
 #include <set>
@@ -9,6 +10,8 @@
 #include "app/checks/daily_check.hpp"
 #include "app/demo/record_generator.hpp"
 #include "app/demo/record_mistakes.hpp"
+#include "gui/viewmodels/sentence_form.hpp"
+#include "gui/viewmodels/words.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gui_project.hpp"
 
@@ -105,4 +108,14 @@ TEST_CASE("Sentences within a sentence are said in German too, what people wrote
                             "tiefer"));
     CHECK(in_window_language(std::string("a note that somebody wrote")) ==
           QStringLiteral("a note that somebody wrote"));
+}
+
+TEST_CASE("Measures are written as in the language of the window, names that look like numbers are not") {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    CHECK(with_window_numbers(QStringLiteral("1.5 liegt bei 49.23 m auf 2.25 m², 95.5 % von 1.5 und 3 cm")) ==
+          QString::fromUtf8("1.5 liegt bei 49,23 m auf 2,25 m², 95,5 % von 1.5 und 3 cm"));
+    CHECK(number_word(12345.678, 2) == QStringLiteral("12345,68"));
+    QLocale::setDefault(before);
+    CHECK(number_word(0.5, 1) == QStringLiteral("0.5"));
 }
