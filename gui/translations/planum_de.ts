@@ -1502,7 +1502,7 @@ Bitte den Namen prüfen.</translation>
     <name>planum::gui::FlatPage</name>
     <message>
         <source>Fit</source>
-        <translation>Einpassen</translation>
+        <translation>Ganz zeigen</translation>
     </message>
     <message>
         <source>Shows the whole (F)</source>
@@ -1952,7 +1952,7 @@ Bitte den Namen prüfen.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Einpassen</translation>
+        <translation>Ganz zeigen</translation>
     </message>
     <message>
         <source>The whole drawing (F)</source>
@@ -2509,7 +2509,7 @@ Bitte den Namen prüfen.</translation>
     </message>
     <message>
         <source>remarks too</source>
-        <translation>auch Hinweise</translation>
+        <translation>Hinweise</translation>
     </message>
     <message>
         <source>Sign the day off</source>
@@ -3136,7 +3136,7 @@ Bitte den Namen prüfen.</translation>
     </message>
     <message>
         <source>shaded by depth</source>
-        <translation>nach Tiefe schattiert</translation>
+        <translation>Tiefenschatten</translation>
     </message>
     <message>
         <source>all surfaces</source>
@@ -3152,7 +3152,7 @@ Bitte den Namen prüfen.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Einpassen</translation>
+        <translation>Ganz zeigen</translation>
     </message>
     <message>
         <source>The trench (F)</source>

@@ -15,7 +15,7 @@ constexpr int kLinesBelow = 18;
 
 DockSizes dock_sizes(int digit, int line, QSize window) {
     return {std::min(kUnitsDigits * digit, window.width() / 4), std::min(kCardDigits * digit, window.width() / 4),
-            std::min(kLinesBelow * line, window.height() / 3)};
+            std::min(kLinesBelow * line, window.height() * 3 / 10)};
 }
 
 } // namespace planum::gui

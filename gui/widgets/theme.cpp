@@ -123,6 +123,7 @@ QString tick_file(const QColor& ink) {
 // finger can drag, and the arrows at their ends, which none can hit, are left out.
 QString touch_sheet() {
     return QStringLiteral(R"(
+QToolBar { padding: 1px 8px; }
 QTabBar::tab { min-height: %tabpx; padding: 0 12px; }
 QMenuBar::item { padding: 8px 9px; }
 QMenuBar::item:selected, QMenu::item:selected { background: %accent; color: %on; }

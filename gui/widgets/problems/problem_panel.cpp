@@ -58,6 +58,7 @@ ProblemPanel::ProblemPanel(Models& models)
     list_->setModel(&models_.problems);
     list_->setItemDelegate(new ProblemDelegate(list_));
     list_->setUniformItemSizes(true);
+    list_->setMinimumHeight(3 * fontMetrics().lineSpacing()); // one; a low screen leaves the views more
     list_->setMouseTracking(true);
     connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
         if (now.isValid()) models_.problems.open(now.row());

@@ -86,7 +86,7 @@ SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
     setAccessibleName(tr("The site in 3D"));
     setFormat(wanted_format());
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(200, 150);
+    setMinimumSize(200, 110);
     settle_.setSingleShot(true);
     connect(&settle_, &QTimer::timeout, this, [this] { ask_for_points(SceneRenderer::Slot::Still); });
     connect(&step_, &QTimer::timeout, this, &SpaceCanvas::go_on_with_still);

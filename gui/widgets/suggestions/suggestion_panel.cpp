@@ -70,6 +70,7 @@ SuggestionPanel::SuggestionPanel(Models& models)
     list_->setModel(&suggestions_);
     list_->setItemDelegate(new SuggestionDelegate(list_));
     list_->setUniformItemSizes(true);
+    list_->setMinimumHeight(3 * fontMetrics().lineSpacing()); // one; a low screen leaves the views more
     connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
         if (!now.isValid()) return;
         suggestions_.open(now.row());
