@@ -48,6 +48,7 @@ void HistoryPanel::fill() {
         int at = 0;
         for (const QString& text : {when, author_word(change.author), what}) {
             auto* item = new QTableWidgetItem(text);
+            item->setToolTip(text); // of what is too long for its column
             QFont font = item->font();
             font.setStrikeOut(change.undone && at == 2);
             item->setFont(font);
