@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kVersion = "planum surface grid 4\n";
+constexpr std::string_view kVersion = "planum surface grid 5\n";
 
 template<class Value>
 void append(std::string& bytes, const std::vector<Value>& values) {

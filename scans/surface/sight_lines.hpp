@@ -7,26 +7,10 @@
 #include "core/base/progress.hpp"
 #include "scans/surface/layer_field.hpp"
 #include "scans/surface/point_source.hpp"
+#include "scans/surface/sight_rules.hpp"
 #include "scans/surface/surface_grid.hpp"
 
 namespace planum::scans {
-
-struct SightRules {
-    double farthest = 2.5;    ///< shadows reach no farther in plan [m]
-    double least_drop = 0.08; ///< from what throws a shadow to what is seen behind it [m]; less is a gap between points
-    double around = 0.3;      ///< how many cells hold points is told from those within so much [m]
-    double share = 0.3;       ///< of them must lie as a cell does, or it is a stray
-    double fewest = 3.0;      ///< and so many at least
-    double rough = 0.02;      ///< cells lie alike that differ by no more [m]
-    double slope = 0.5;       ///< and by so much for each metre from one to the other
-    int alone = 4; ///< cells with points within 6 cm, itself among them, are no more than this: a stray alone
-    double alone_share = 0.2;  ///< nor than this share of what is usual
-    double ground_near = 0.6;  ///< it hangs over ground within so much [m]
-    double hangs = 0.08;       ///< that is lower by so much [m], and by `slope` times its distance
-    double grazing = 0.03;     ///< no lower under a line of sight than this is on it [m]
-    double beside_side = 0.04; ///< points of a side lie no farther apart than twice this [m]
-    double hidden = 0.05; ///< share of what a scan saw that may lie in its own shadows, or it is none of one station
-};
 
 /// A layer that was taken out of the field: no ground, but it threw a shadow.
 struct RemovedLayer {
@@ -44,6 +28,14 @@ struct RemovedLayer {
 [[nodiscard]] std::vector<float> lines_of_sight(const LayerField& field, std::span<const RemovedLayer> removed,
                                                 const SurfaceGrid& grid, std::span<const SurfaceScan> scans,
                                                 const SightRules& rules, int threads, Progress& progress);
+
+/// Marks the layers that hang behind an edge in the shadow of the very scan that saw them, and of no other: beams that
+/// met the edge with half their width, which scanners report somewhere between it and what lies behind. They lie near
+/// the line of sight over the edge, at a height at which hardly any cells around have points; ground that goes on
+/// behind at their height stays. `marked` gets a value for each layer, by its number. Returns how many there are.
+std::size_t mark_hanging(const LayerField& field, std::span<const RemovedLayer> removed,
+                         std::span<const SurfaceScan> scans, const SightRules& rules, int threads, Progress& progress,
+                         std::vector<bool>& marked);
 
 /// Makes Unseen of strays, cells at a height at which hardly any cells around have their points, that hang on or above
 /// a line of sight: beams that met an edge with half their width, which scanners report somewhere between it and what

@@ -155,6 +155,9 @@ BuiltSurface build_surface(std::span<const SurfaceScan> scans, const GridFrame& 
         built.passing = mark_passing(field, options.passing, passing);
         removed = removed_layers(field, passing);
         field.remove(passing);
+        std::vector<bool> hanging;
+        built.hanging = mark_hanging(field, removed, scans, options.sight, options.threads, progress, hanging);
+        field.remove(hanging);
     }
     Composer(field, scans, options, rules, built).compose(progress);
     built.disputed = settle_disputes(field, scans, options, built.grid);

@@ -19,7 +19,8 @@ struct SurfaceOptions {
     double tolerance = 0.02;     ///< the project's own, a 95 % bound [m]; scans may differ by so much
     double disputed_area = 0.1;  ///< scans that disagree over less are averaged [m²]
     double steepest = 1.7320508; ///< tangent of 60°: steeper is a side
-    bool remove_passing = true;  ///< people, vehicles, strays; see mark_passing()
+    bool remove_passing =
+        true; ///< people, vehicles, strays, what hangs behind edges; see mark_passing(), mark_hanging()
     PassingRules passing;
     SightRules sight;
     std::uint64_t memory_bytes = 512ULL << 20U; ///< for points
@@ -43,6 +44,7 @@ struct BuiltSurface {
     std::vector<DisputedPatch> disputed; ///< largest first
     std::uint64_t points = 0;            ///< of the scans, within the frame
     PassingReport passing;
+    std::size_t hanging = 0; ///< layers of a few points that hang behind edges; see mark_hanging()
 };
 
 /// A frame that covers a rectangle, corners on whole cells. Throws BadInput for an empty rectangle, or one of more than
