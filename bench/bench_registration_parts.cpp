@@ -2,6 +2,7 @@
 #include "bench/bench_registration_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <limits>
 #include <vector>
@@ -76,6 +77,15 @@ scans::FineOptions driving_options() {
     return options;
 }
 
+// Forward, left, up [mm] and the turns about them [°], as other programs' poses are compared in docs/benchmarks.md.
+void print_place(const char* whose, const Rigid3& pose) {
+    const Eigen::Vector3d at = 1e3 * pose.translation;
+    const Eigen::Matrix3d& r = pose.rotation;
+    fmt::print("  {:<46} x {:.0f} y {:.0f} height {:.0f} mm, roll {:.2f} pitch {:.2f} yaw {:.2f}°\n", whose, at.x(),
+               at.y(), at.z(), kDegrees * std::atan2(r(2, 1), r(2, 2)), kDegrees * -std::asin(r(2, 0)),
+               kDegrees * std::atan2(r(1, 0), r(0, 0)));
+}
+
 } // namespace
 
 void bench_pair(const fs::path& folder) {
@@ -126,6 +136,8 @@ void bench_sequence(const fs::path& folder) {
             const auto found = scans::align_scans(prepared[a], prepared[b], start, options);
             fmt::print("scan {} to {}: moved {} from the odometry; {}\n", b, a, apart(start, found.target_from_source),
                        found.verdict);
+            print_place("odometry", start);
+            print_place("planum", found.target_from_source);
             print_pcl(all[a], all[b], start, found.target_from_source, {0.1}, 0.5);
             if (!found.is_accepted) continue;
             links.push_back({a, b, found.target_from_source, found.covariance});

@@ -96,22 +96,38 @@ class Alignment {
         return equations.votes >= 30.0;
     }
 
-    // Patches and pose in turn, until what votes no longer changes.
     bool vote() {
-        constexpr int kRounds = 8;
         const std::size_t last = options_.levels.size() - 1;
         PatchMap map = make_patches(target_.clouds[target_.cloud_of[last]], options_.patch);
+        if (!settle_votes(map, BentScans::VoteWhole)) return false;
+        link_covariance(map, last);
+        if (map.is_bent) add_doubt(map);
+        result.patches = std::move(map.patches);
+        return true;
+    }
+
+    // Patches and pose in turn, until what votes no longer changes.
+    bool settle_votes(PatchMap& map, BentScans bent) {
+        constexpr int kRounds = 8;
+        const std::size_t last = options_.levels.size() - 1;
         // Scans that keep a blur are bent by that much; a step of a thousandth of it says nothing.
         const double enough = std::max(kConverged, 1e-3 * options_.levels[last].blur);
         for (int round = 0; round < kRounds; ++round) {
             const Rigid3 before = result.target_from_source;
-            result.scatter = judge_patches(map, matches);
+            result.scatter = judge_patches(map, matches, bent);
             if (!converge(last, map.patch_of, weights_of(map), enough)) return false;
             if (length_of(geometry::step_between(before, result.target_from_source)) < 2.5 * enough) break;
         }
-        link_covariance(map, last);
-        result.patches = std::move(map.patches);
         return true;
+    }
+
+    // Which ground should vote in a bent scan is a choice, and the pose depends on it. The answers of both choices are
+    // two samples of what could be meant; their variance is added to what the scatter of the votes shows.
+    void add_doubt(PatchMap map) {
+        Alignment other = *this;
+        if (!other.settle_votes(map, BentScans::AsOthers)) return;
+        const Vector6 apart = geometry::step_between(result.target_from_source, other.result.target_from_source);
+        result.covariance += 0.5 * apart * apart.transpose();
     }
 
     void link_covariance(const PatchMap& map, std::size_t level) {

@@ -39,6 +39,13 @@ struct PatchMap {
     std::vector<std::uint32_t> block_of; ///< one a patch: neighbours with one facing, several patches wide
     std::size_t blocks = 0;
     std::vector<std::vector<std::uint32_t>> beside; ///< one a block: those that touch it and face as it does
+    bool is_bent = false; ///< so much of the common ground lies off by blocks that a scan is bent; see judge_patches()
+};
+
+/// What blocks of ground that lie a little off do in scans that are bent themselves.
+enum class BentScans {
+    VoteWhole, ///< they vote: which part of a bent scan is right nobody knows
+    AsOthers   ///< they are silent, as where ground crept
 };
 
 /// Patches are cubes of the given edge [m]; where these hold too few points, of twice or four times that.
@@ -46,8 +53,9 @@ struct PatchMap {
 
 /// Judges every patch from the matches of the present pose and sets its weight: nothing for ground that has
 /// changed; for the rest such that a patch never counts more than the scatter between patches allows,
-/// however many points it has (correlated points count once). Returns that scatter, one σ [m].
-double judge_patches(PatchMap& map, std::span<const SurfelMatch> matches);
+/// however many points it has (correlated points count once). Returns that scatter, one σ [m]. Says in `map` whether
+/// the scans are bent, which changes what blocks do as `bent` tells.
+double judge_patches(PatchMap& map, std::span<const SurfelMatch> matches, BentScans bent = BentScans::VoteWhole);
 
 [[nodiscard]] std::vector<double> weights_of(const PatchMap& map);
 
