@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QObject>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QStringList>
 
@@ -33,7 +34,7 @@ int take_screenshot(const DesktopArguments& arguments) {
         std::cerr << "planum-desktop: " << sentence.toStdString() << '\n';
         failed = true;
     });
-    window.open(arguments.site.toStdString(), store::OpenMode::ReadOnly);
+    window.models().workspace.open_for_picture(arguments.site.toStdString());
     write_screenshot(window, arguments.screenshot);
     return failed ? exit_status(ErrorCode::BadInput) : 0;
 }
@@ -99,7 +100,9 @@ int run_desktop(int argc, char** argv) {
             std::filesystem::path(
                 QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString()) /
                 "copies");
-        window.show();
+        // On a tablet it fills the screen; on a large screen it leaves room for other programs.
+        const QSize room = window.screen()->availableSize();
+        room.width() < window.width() || room.height() < window.height() ? window.showMaximized() : window.show();
         return QApplication::exec();
     } catch (const Error& error) {
         std::cerr << "planum-desktop: " << error.what() << '\n';

@@ -1600,6 +1600,10 @@ Bitte den Namen prüfen.</translation>
         <source>Not understood, or worth a look</source>
         <translation>Nicht verstanden oder einen Blick wert</translation>
     </message>
+    <message>
+        <source>The files cannot be read; nothing was changed.</source>
+        <translation>Die Dateien können nicht gelesen werden; geändert wurde nichts.</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::Inquiry</name>
@@ -3255,6 +3259,41 @@ Bitte den Namen prüfen.</translation>
     </message>
 </context>
 <context>
+    <name>planum::gui::StartPage</name>
+    <message>
+        <source>No project is open</source>
+        <translation>Kein Projekt offen</translation>
+    </message>
+    <message>
+        <source>New project …</source>
+        <translation>Neues Projekt …</translation>
+    </message>
+    <message>
+        <source>One file for the whole dig; lists, scans and outlines come into it.</source>
+        <translation>Eine Datei für die ganze Grabung; Listen, Scans und Umrisse kommen hinein.</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Or drop a project on the window.</source>
+        <translation>Oder ein Projekt auf das Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Make a sample dig …</source>
+        <translation>Beispielgrabung anlegen …</translation>
+    </message>
+    <message>
+        <source>To try everything out: sheets, scans and a few mistakes to find.</source>
+        <translation>Zum Ausprobieren: Bögen, Scans und einige Fehler, die zu finden sind.</translation>
+    </message>
+    <message>
+        <source>Opened lately</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::SuggestionListModel</name>
     <message>
         <source>open</source>
@@ -3738,6 +3777,18 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Reading the project again</source>
         <translation>Projekt neu lesen</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Zurückgenommen: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
+    <message>
+        <source>Another window has this project open, too. What either saves, the other shows at once.</source>
+        <translation>Ein anderes Fenster hat dieses Projekt auch geöffnet. Was das eine sichert, zeigt das andere sofort.</translation>
     </message>
 </context>
 <context>

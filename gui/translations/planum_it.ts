@@ -1595,6 +1595,10 @@ Please verify the correct directory name was given.</source>
         <source>Not understood, or worth a look</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The files cannot be read; nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::Inquiry</name>
@@ -3249,6 +3253,41 @@ Please verify the correct directory name was given.</source>
     </message>
 </context>
 <context>
+    <name>planum::gui::StartPage</name>
+    <message>
+        <source>No project is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New project …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file for the whole dig; lists, scans and outlines come into it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Or drop a project on the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a sample dig …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To try everything out: sheets, scans and a few mistakes to find.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened lately</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>planum::gui::SuggestionListModel</name>
     <message>
         <source>open</source>
@@ -3731,6 +3770,18 @@ Please verify the correct directory name was given.</source>
     </message>
     <message>
         <source>Reading the project again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another window has this project open, too. What either saves, the other shows at once.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

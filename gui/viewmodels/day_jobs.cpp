@@ -99,14 +99,19 @@ FileUse use_of(const std::filesystem::path& file) {
 DayJobs::DayJobs(Workspace& workspace, QObject* parent) : QObject(parent), workspace_(workspace) {}
 
 void DayJobs::preview_import(const Files& files, bool update) {
-    workspace_.read(QStringLiteral("import preview"), tr("Reading what would be imported"),
-                    [this, files, update](app::Project& project, Progress& progress) -> JobRunner::Done {
-                        app::ImportOptions options;
-                        options.update = update;
-                        options.dry_run = true;
-                        const ImportPreview preview = in_words(app::import_files(project, files, options, progress));
-                        return [this, preview] { emit previewed(preview); };
-                    });
+    workspace_.read(
+        QStringLiteral("import preview"), tr("Reading what would be imported"),
+        [this, files, update](app::Project& project, Progress& progress) -> JobRunner::Done {
+            app::ImportOptions options;
+            options.update = update;
+            options.dry_run = true;
+            const ImportPreview preview = in_words(app::import_files(project, files, options, progress));
+            return [this, preview] { emit previewed(preview); };
+        },
+        [this](const QString& sentence) {
+            workspace_.say(sentence);
+            emit notPreviewed(sentence);
+        });
 }
 
 void DayJobs::run(const QString& title, Said work) {

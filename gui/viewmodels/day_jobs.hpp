@@ -57,6 +57,8 @@ class DayJobs : public QObject {
 
   signals:
     void previewed(const planum::gui::ImportPreview& preview);
+    /// The files could not be read, and why; comes besides what the workspace says.
+    void notPreviewed(const QString& sentence);
     /// How many scans were placed, then a line for each that was not, or with doubt.
     void registered(const QStringList& lines);
     /// One sentence about what was done.

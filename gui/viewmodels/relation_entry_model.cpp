@@ -180,6 +180,7 @@ bool RelationEntryModel::commit() {
             object_ = was[2];
             uncertain_ = uncertain;
             judge();
+            emit cameBack();
         });
     kind_.clear();
     object_.clear();

@@ -58,6 +58,8 @@ class RelationEntryModel : public QObject {
     void judged();
     /// It is in the file.
     void committed(const QString& sentence);
+    /// It could not be saved and stands in the entry again: Enter tries once more.
+    void cameBack();
 
   private:
     void judge();

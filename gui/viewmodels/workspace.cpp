@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "gui/viewmodels/workspace.hpp"
 
+#include <QCryptographicHash>
+#include <QDir>
 #include <QFileSystemWatcher>
+#include <QLockFile>
 #include <QTimer>
 
 #include <optional>
@@ -86,6 +89,11 @@ void Workspace::open(const std::filesystem::path& file, store::OpenMode mode) {
                   [path = file_, mode, session = session_] { return app::Project::open(path, mode, session); });
 }
 
+void Workspace::open_for_picture(const std::filesystem::path& file) {
+    open(file, store::OpenMode::ReadOnly);
+    read_only_because_.clear();
+}
+
 void Workspace::create(const std::filesystem::path& file, const model::ProjectSettings& settings) {
     close();
     file_ = std::filesystem::absolute(file);
@@ -113,6 +121,7 @@ void Workspace::start_opening(const QString& title, std::function<app::Project()
             emit opened();
             emit snapshotChanged();
             for (const std::string& note : report.notes) emit noted(service_sentence(note));
+            show_presence();
         };
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, title, Job::Kind::Asked, std::move(work),
@@ -131,13 +140,27 @@ void Workspace::close() {
     holder_.reset();
     file_.clear();
     read_only_because_.clear();
+    trouble_.clear();
+    presence_.reset();
     snapshot_.reset();
     selected_ = {};
     proof_ = {};
     if (was_open) emit closed();
 }
 
+void Workspace::say_trouble(const QString& sentence) {
+    trouble_ = sentence;
+    emit failed(sentence);
+}
+
+void Workspace::end_trouble() {
+    if (trouble_.isEmpty()) return;
+    const QString over = std::exchange(trouble_, {});
+    emit overcome(over);
+}
+
 void Workspace::take(SnapshotPtr snapshot) {
+    end_trouble();
     snapshot_ = std::move(snapshot);
     emit snapshotChanged();
     if (!selected_.is_nil() && snapshot_->index().find(selected_) == model::kNoUnit) select({});
@@ -175,7 +198,7 @@ void Workspace::edit(const QString& title, Edit work, std::function<void()> done
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, title, kind, std::move(in_thread),
                 [this, holder = holder_, failed_too = std::move(failed_too)](const QString& sentence) {
-                    emit failed(sentence);
+                    say_trouble(sentence);
                     if (failed_too && holder == holder_) failed_too(sentence);
                 });
 }
@@ -211,12 +234,18 @@ void Workspace::read(const QString& lane, const QString& title, Reading work, Jo
 
 void Workspace::undo() {
     if (undo_label().isEmpty()) return;
-    edit(tr("Undo: %1").arg(undo_label()), [](app::Project& project, Progress&) { project.undo(); });
+    const QString label = undo_label();
+    edit(
+        tr("Undo: %1").arg(label), [](app::Project& project, Progress&) { project.undo(); },
+        [this, label] { emit noted(tr("Undone: %1").arg(label)); });
 }
 
 void Workspace::redo() {
     if (redo_label().isEmpty()) return;
-    edit(tr("Redo: %1").arg(redo_label()), [](app::Project& project, Progress&) { project.redo(); });
+    const QString label = redo_label();
+    edit(
+        tr("Redo: %1").arg(label), [](app::Project& project, Progress&) { project.redo(); },
+        [this, label] { emit noted(tr("Done again: %1").arg(label)); });
 }
 
 QString Workspace::undo_label() const {
@@ -252,12 +281,28 @@ void Workspace::watch() {
     watcher_->addPath(qt(file_.parent_path().string()));
 }
 
+// Two windows may work on one project; whoever opens the second one should know. Nothing is locked by it: where the
+// sign cannot be put up, nothing is said.
+void Workspace::show_presence() {
+    if (holder_->mode != store::OpenMode::ReadWrite || !read_only_because_.isEmpty()) return;
+    std::error_code trouble;
+    const std::filesystem::path path = std::filesystem::canonical(file_, trouble);
+    if (trouble) return;
+    const QByteArray name =
+        QCryptographicHash::hash(QByteArray::fromStdString(path.string()), QCryptographicHash::Sha1);
+    presence_ = std::make_unique<QLockFile>(
+        QDir::temp().filePath(QStringLiteral("planum-open-%1").arg(QString::fromLatin1(name.toHex().left(16)))));
+    presence_->setStaleLockTime(0); // a day in one window is no old age; one that crashed is known by its process
+    if (presence_->tryLock() || presence_->error() != QLockFile::LockFailedError) return;
+    emit noted(tr("Another window has this project open, too. What either saves, the other shows at once."));
+}
+
 // Another program may have written the file, or taken it away.
 void Workspace::look_at_file() {
     if (!is_open()) return;
     std::error_code trouble;
     if (!std::filesystem::exists(file_, trouble)) {
-        emit failed(tr("%1 is gone. What you see was read before; put the file back, or save a copy elsewhere.")
+        say_trouble(tr("%1 is gone. What you see was read before; put the file back, or save a copy elsewhere.")
                         .arg(qt(file_.string())));
         return;
     }
@@ -269,7 +314,11 @@ void Workspace::look_at_file() {
 void Workspace::read_again(Reread when, std::function<void()> done) {
     auto work = [this, when, holder = holder_, path = file_, session = session_,
                  done = std::move(done)](Progress&) -> JobRunner::Done {
-        if (when == Reread::WhenOlder && stamp_of(path) == holder->seen) return {};
+        if (when == Reread::WhenOlder && stamp_of(path) == holder->seen) {
+            return [this, holder] {
+                if (holder == holder_) end_trouble(); // the file is there and as it was
+            };
+        }
         holder->project.emplace(app::Project::open(path, holder->mode, session));
         holder->note_time();
         return [this, holder, done, snapshot = app::take_snapshot(*holder->project)]() mutable {
@@ -279,7 +328,7 @@ void Workspace::read_again(Reread when, std::function<void()> done) {
         };
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, tr("Reading the project again"), Job::Kind::Quiet,
-                std::move(work), [this](const QString& sentence) { emit failed(sentence); });
+                std::move(work), [this](const QString& sentence) { say_trouble(sentence); });
 }
 
 } // namespace planum::gui

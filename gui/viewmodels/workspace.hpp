@@ -15,6 +15,7 @@
 #include "gui/viewmodels/job.hpp"
 
 class QFileSystemWatcher;
+class QLockFile;
 class QTimer;
 
 namespace planum::gui {
@@ -42,8 +43,10 @@ class Workspace : public QObject {
     explicit Workspace(app::Session session = {}, QObject* parent = nullptr);
     ~Workspace() override;
 
-    /// Whatever was open is closed. Says opened() or failed().
+    /// Whatever was open is closed. Says opened() or failed(); noted() where another window has it open as well.
     void open(const std::filesystem::path& file, store::OpenMode mode);
+    /// For a picture of the window: nothing can be written, and yet it looks as it does for whoever may.
+    void open_for_picture(const std::filesystem::path& file);
     void create(const std::filesystem::path& file, const model::ProjectSettings& settings);
     void close();
 
@@ -98,6 +101,8 @@ class Workspace : public QObject {
     void proofChanged();
     /// Something could not be done: one plain sentence.
     void failed(const QString& sentence);
+    /// What failed() said with this sentence holds no longer: the record is written and read again.
+    void overcome(const QString& sentence);
     /// What opening found, a file changed by another program, …
     void noted(const QString& sentence);
 
@@ -105,7 +110,10 @@ class Workspace : public QObject {
     struct Holder;
     void start_opening(const QString& title, std::function<app::Project()> make);
     void take(SnapshotPtr snapshot);
+    void say_trouble(const QString& sentence);
+    void end_trouble();
     void watch();
+    void show_presence();
     void look_at_file();
     [[nodiscard]] bool may_write();
     enum class Reread { WhenOlder, Always };
@@ -115,10 +123,12 @@ class Workspace : public QObject {
     std::shared_ptr<Holder> holder_;
     std::filesystem::path file_;
     QString read_only_because_;
+    QString trouble_; ///< with writing or reading the record, said and not over yet
     SnapshotPtr snapshot_;
     model::UnitId selected_;
     Proof proof_;
     std::vector<std::weak_ptr<bool>> saving_; ///< gone with the edit
+    std::unique_ptr<QLockFile> presence_;     ///< tells other windows on this machine that the project is open
     QFileSystemWatcher* watcher_ = nullptr;
     QTimer* look_soon_ = nullptr;
     JobRunner jobs_; ///< last: its threads end before what they use goes

@@ -8,8 +8,12 @@ desktop=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$planum" new "$folder/site.gpkg" --quiet
+status=0
 QT_QPA_PLATFORM=offscreen xvfb-run -a -s "-screen 0 1280x1024x24" \
-  "$desktop" --screenshot 3d -o "$folder/3d.png" "$folder/site.gpkg"
-test -s "$folder/3d.png"
+  "$desktop" --screenshot 3d -o "$folder/3d.png" "$folder/site.gpkg" 2>"$folder/said" || status=$?
+cat "$folder/said"
+test "$status" = 4
+grep -qF "needs a display" "$folder/said"
+test -s "$folder/3d.png" # the window as it is, with the sentence in place of the picture
 env -u DISPLAY "$desktop" --help >"$folder/help.txt"
 grep -q '^Usage: planum-desktop ' "$folder/help.txt"

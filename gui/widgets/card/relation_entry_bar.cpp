@@ -2,6 +2,7 @@
 #include "gui/widgets/card/relation_entry_bar.hpp"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QCompleter>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -61,6 +62,10 @@ RelationEntryBar::RelationEntryBar(Models& models)
     column->addLayout(foot);
     setFocusProxy(fields_[0]);
     connect(&models_.entry, &RelationEntryModel::judged, this, &RelationEntryBar::show_judgement);
+    // Only where somebody is still at it: the keys are not taken from another field.
+    connect(&models_.entry, &RelationEntryModel::cameBack, this, [this] {
+        if (QApplication::focusWidget() == fields_[1]) fields_[2]->setFocus();
+    });
     show_judgement();
 }
 

@@ -105,9 +105,21 @@ QList<QRectF> PlanCanvas::kept_free() const {
     return taken;
 }
 
+// Where names would lie over each other the first one stands; the others come when one looks nearer.
 void PlanCanvas::paint_marks(QPainter& painter) {
+    const QFontMetricsF metrics(painter.font());
+    QList<QRectF> written;
+    const auto write = [&](QPointF at, const QString& name, bool always) {
+        const QRectF box = metrics.boundingRect(name).translated(at);
+        const bool over =
+            std::any_of(written.begin(), written.end(), [&](const QRectF& b) { return b.intersects(box); });
+        if (over && !always) return;
+        written << box;
+        painter.drawText(at, name);
+    };
     for (const Mark& mark : marks_) {
         const QPointF at = to_screen(mark.place);
+        if (!rect().adjusted(-100, -20, 20, 20).contains(at.toPoint())) continue;
         const bool selected = !mark.unit.is_nil() && mark.unit == models().workspace.selected();
         const QColor ink = selected ? theme().accent : theme().ink;
         painter.setPen(QPen(ink, selected ? 2.0 : 1.3));
@@ -125,7 +137,7 @@ void PlanCanvas::paint_marks(QPainter& painter) {
             break;
         }
         if (mark.kind != Mark::Kind::Find || selected || marks_.size() < 40) {
-            painter.drawText(at + QPointF(9, 4), mark.label);
+            write(at + QPointF(9, 4), mark.label, selected);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include <QBuffer>
 
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,10 @@ void FlightWriter::start(const std::vector<Camera>& cameras, const std::filesyst
     go_on();
 }
 
+std::filesystem::path FlightWriter::file_of(std::size_t frame) const {
+    return folder_ / fmt::format("fly-{:04}.png", frame + 1);
+}
+
 void FlightWriter::stop() {
     if (!is_flying()) return;
     way_.clear();
@@ -32,7 +37,11 @@ void FlightWriter::stop() {
 
 void FlightWriter::go_on() {
     if (!is_flying()) return;
-    if (next_ == way_.size()) return stop();
+    if (next_ == way_.size()) {
+        std::error_code refused; // then they stay; the flight itself is whole
+        for (std::size_t former = next_; std::filesystem::remove(file_of(former), refused);) ++former;
+        return stop();
+    }
     const Camera camera = way_[next_];
     emit wanted(camera);
 }
@@ -40,7 +49,7 @@ void FlightWriter::go_on() {
 // The frame is on its way to the disk while nothing else is drawn: no frame is lost where the disk is slower.
 void FlightWriter::take(const QImage& frame) {
     if (!is_flying()) return;
-    const std::filesystem::path file = folder_ / fmt::format("fly-{:04}.png", next_ + 1);
+    const std::filesystem::path file = file_of(next_);
     jobs_.start(
         QStringLiteral("flight"), JobRunner::Queueing::InOrder, tr("Writing %1").arg(qt(file.filename().string())),
         Job::Kind::Quiet,

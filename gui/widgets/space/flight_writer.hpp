@@ -21,7 +21,8 @@ class FlightWriter : public QObject {
     explicit FlightWriter(JobRunner& jobs) : jobs_(jobs) {}
 
     /// Begins the way along these cameras, so many frames from each to the next, as `fly-0001.png` and so on in
-    /// `folder`. Another flight that goes on is given up; without a camera nothing happens.
+    /// `folder`. When all are there, frames of a longer flight that stood there before go: a film made of the folder
+    /// would end with them. Another flight that goes on is given up; without a camera nothing happens.
     void start(const std::vector<Camera>& cameras, const std::filesystem::path& folder, int frames);
     /// Ends it with the frames that are written; nothing where none goes on.
     void stop();
@@ -42,6 +43,7 @@ class FlightWriter : public QObject {
 
   private:
     void go_on();
+    [[nodiscard]] std::filesystem::path file_of(std::size_t frame) const;
 
     JobRunner& jobs_;
     std::filesystem::path folder_;

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "gui/widgets/space/space_canvas.hpp"
 
-#include <QElapsedTimer>
-#include <QGuiApplication>
+#include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
-#include <QSurfaceFormat>
+#include <QPainter>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -21,6 +17,7 @@
 #include "gui/viewmodels/region_shapes.hpp"
 #include "gui/viewmodels/words.hpp"
 #include "gui/widgets/space/ground_tints.hpp"
+#include "gui/widgets/space/opengl_here.hpp"
 #include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
@@ -35,17 +32,10 @@ constexpr int kSettle = 180; // [ms] at least without a move before the fine set
 constexpr double kSlowFrame = 70.0; // [ms]: from then on points are drawn smaller while the camera moves
 constexpr const char* kMovingLane = "points moving";
 constexpr const char* kStillLane = "points still";
-constexpr int kStep = 25; // [ms] of work on the still picture between two looks at what was pressed
 constexpr double kClick = 4.0;
 constexpr double kRound = 0.55; // share of the ball around all scans that fit() shows: fences stand far off
 
-QSurfaceFormat wanted_format() {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    return format;
-}
+std::uint32_t ground() { return theme().kind == ThemeKind::Sunlight ? 0xffffffU : 0x24272bU; }
 
 std::uint32_t tint_of(std::size_t day) {
     constexpr std::array<std::uint32_t, 6> kTints = {0xe07a3f, 0x3f9be0, 0x6cc070, 0xc46ad6, 0xd9c04a, 0x55c7c0};
@@ -54,42 +44,20 @@ std::uint32_t tint_of(std::size_t day) {
 
 } // namespace
 
-QString opengl_trouble() {
-    // Qt's platforms without a screen may well hand out a context, yet none that a widget can draw with.
-    if (const QString platform = QGuiApplication::platformName();
-        platform == QLatin1String("offscreen") || platform == QLatin1String("minimal")) {
-        return SpaceCanvas::tr("The 3D view needs a display; the program runs without one (%1). All other views work.")
-            .arg(platform);
-    }
-    QOffscreenSurface surface;
-    surface.setFormat(wanted_format());
-    surface.create();
-    QOpenGLContext context;
-    context.setFormat(wanted_format());
-    if (!context.create() || !context.makeCurrent(&surface)) {
-        return SpaceCanvas::tr(
-            "The 3D view needs OpenGL 3.3, which this display does not offer. All other views work.");
-    }
-    const auto version = context.format().version();
-    context.doneCurrent();
-    if (version < std::pair(3, 3)) {
-        return SpaceCanvas::tr("The 3D view needs OpenGL 3.3; there is %1.%2 here. All other views work.")
-            .arg(version.first)
-            .arg(version.second);
-    }
-    return {};
-}
-
 SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
-    : workspace_(workspace), space_(space), flight_(workspace.jobs()) {
+    : workspace_(workspace), space_(space), scene_(opengl_format()), flight_(workspace.jobs()) {
     setObjectName(QStringLiteral("spaceCanvas"));
     setAccessibleName(tr("The site in 3D"));
-    setFormat(wanted_format());
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 110);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     settle_.setSingleShot(true);
     connect(&settle_, &QTimer::timeout, this, [this] { ask_for_points(SceneRenderer::Slot::Still); });
-    connect(&step_, &QTimer::timeout, this, &SpaceCanvas::go_on_with_still);
+    connect(&scene_, &SceneThread::drawn, this, &SpaceCanvas::take_picture);
+    connect(&scene_, &SceneThread::troubled, this, [this](const QString& sentence) {
+        setProperty("busy", false); // no picture is on its way
+        emit troubled(sentence);
+    });
     connect(&flight_, &FlightWriter::wanted, this, &SpaceCanvas::show_frame);
     connect(&space_, &SpaceModel::loaded, this, &SpaceCanvas::take_scans);
     connect(&space_, &SpaceModel::outlinesChanged, this, &SpaceCanvas::take_lines);
@@ -98,30 +66,9 @@ SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
     });
 }
 
-SpaceCanvas::~SpaceCanvas() { drop_renderer(); }
-
-// What it keeps belongs to one context; with the context it goes.
-void SpaceCanvas::drop_renderer() {
-    step_.stop();
-    still_ = false;
-    if (renderer_ == nullptr) return;
-    makeCurrent();
-    renderer_.reset();
-    doneCurrent();
-}
-
-// Called again where the window is moved to another screen's driver.
-void SpaceCanvas::initializeGL() {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SpaceCanvas::drop_renderer,
-            Qt::ConnectionType(Qt::DirectConnection | Qt::UniqueConnection));
-    try {
-        renderer_ = std::make_unique<SceneRenderer>();
-        renderer_->initialise();
-    } catch (const Error& error) {
-        emit troubled(qt(error.what()));
-        return;
-    }
-    take_scans();
+void SpaceCanvas::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (!std::exchange(begun_, true)) take_scans();
 }
 
 void SpaceCanvas::take_scans() {
@@ -139,16 +86,11 @@ void SpaceCanvas::take_scans() {
 
 void SpaceCanvas::show_no_points() {
     for (const char* lane : {kMovingLane, kStillLane}) workspace_.jobs().cancel(QString::fromLatin1(lane));
-    if (can_draw()) {
-        makeCurrent();
-        renderer_->set_moving({});
-        doneCurrent();
-    }
+    scene_.set_moving(std::make_shared<const PointSet>());
     settle_.stop();
-    step_.stop();
-    still_ = false;
+    still_ = StillPicture::None;
     setProperty("busy", false);
-    update();
+    asked_ = scene_.draw(frame(SceneRenderer::Slot::Moving));
 }
 
 // The trench is where the outlines are; without any, where the scanners stood.
@@ -193,10 +135,10 @@ void SpaceCanvas::set_difference(std::shared_ptr<const GroundColours> colours) {
 
 void SpaceCanvas::set_eye_dome(bool on) {
     eye_dome_ = on;
-    if (!still_ || !can_draw()) return;
-    renderer_->draw_still_again(frame(SceneRenderer::Slot::Still));
-    still_ = false;
-    step_.start();
+    if (still_ == StillPicture::None) return;
+    asked_ = scene_.make_still_again(frame(SceneRenderer::Slot::Still));
+    still_ = StillPicture::Made;
+    setProperty("busy", true);
 }
 
 void SpaceCanvas::set_box(const std::array<double, 3>& low, const std::array<double, 3>& high) {
@@ -236,8 +178,7 @@ void SpaceCanvas::face(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
 // One frame of a flight: the fine points of where the camera is now, nothing else in between.
 void SpaceCanvas::show_frame(const Camera& camera) {
     camera_ = camera;
-    still_ = false;
-    step_.stop();
+    still_ = StillPicture::None;
     settle_.stop();
     setProperty("busy", true);
     ask_for_points(SceneRenderer::Slot::Still);
@@ -248,29 +189,25 @@ void SpaceCanvas::move() {
     flight_.stop();
     workspace_.jobs().cancel(QString::fromLatin1(kStillLane));
     if (scans_.empty()) return show_no_points();
-    still_ = false;
-    step_.stop();
+    still_ = StillPicture::None;
     settle_.start(std::max(kSettle, static_cast<int>(1.5 * frame_ms_)));
     setProperty("busy", true);
-    update();
+    asked_ = scene_.draw(frame(SceneRenderer::Slot::Moving));
 }
 
-// The millions of points of the still picture are drawn beside the screen, a little at a time.
-void SpaceCanvas::go_on_with_still() {
-    if (!can_draw()) return step_.stop();
-    makeCurrent();
-    try {
-        still_ = renderer_->advance_still(kStep);
-    } catch (const Error& error) {
-        step_.stop();
-        emit troubled(qt(error.what()));
-    }
-    doneCurrent();
-    if (!still_) return;
-    step_.stop();
-    setProperty("busy", false);
+void SpaceCanvas::take_picture(const ScenePicture& picture) {
+    const bool is_still = picture.slot == SceneRenderer::Slot::Still;
+    if (is_still && picture.number != asked_) return; // moved meanwhile
+    picture_ = picture.image;
+    drawn_ = picture.points;
+    frame_ms_ = picture.milliseconds;
+    if (!is_still && frame_ms_ > kSlowFrame) slow_ = true;
     update();
-    if (flight_.is_flying()) flight_.take(grabFramebuffer());
+    emit framed();
+    if (!is_still || still_ != StillPicture::Made) return;
+    still_ = StillPicture::Shown;
+    setProperty("busy", false);
+    if (flight_.is_flying()) flight_.take(picture_);
 }
 
 void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
@@ -295,24 +232,20 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
             if (query.colour == PointColour::Difference && difference != nullptr) query.tints = tints_of(*difference);
             auto set = std::make_shared<const PointSet>(choose_points(scans, query, progress));
             return [this, set, slot] {
-                if (!can_draw()) return;
                 if (slot == SceneRenderer::Slot::Still) {
                     if (settle_.isActive()) return; // moved meanwhile: another set is asked for soon
-                    renderer_->set_still(set, frame(slot));
-                    step_.start();
+                    asked_ = scene_.make_still(set, frame(slot));
+                    still_ = StillPicture::Made;
                     return;
                 }
-                makeCurrent();
-                renderer_->set_moving(*set);
-                doneCurrent();
-                update();
+                scene_.set_moving(set);
+                if (still_ != StillPicture::Shown) scene_.draw_meanwhile(frame(slot));
             };
         },
         [this](const QString& sentence) { emit troubled(sentence); });
 }
 
 void SpaceCanvas::take_lines() {
-    if (!can_draw()) return;
     const std::vector<SpaceModel::Outline> outlines = space_.outlines();
     if (scans_.empty() && !outlines.empty()) {
         origin_ = Eigen::Vector3d(outlines.front().ring.front().data());
@@ -332,14 +265,20 @@ void SpaceCanvas::take_lines() {
         lines.push_back(std::move(line));
     }
     lines.insert(lines.end(), marks_.begin(), marks_.end());
-    makeCurrent();
-    renderer_->set_lines(lines, origin_);
-    doneCurrent();
-    update();
+    scene_.set_lines(std::move(lines), origin_);
+    const bool is_still = still_ == StillPicture::Shown;
+    scene_.draw_meanwhile(frame(is_still ? SceneRenderer::Slot::Still : SceneRenderer::Slot::Moving));
 }
 
-void SpaceCanvas::resizeGL(int, int) {
-    if (!scans_.empty()) move();
+void SpaceCanvas::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (begun_) move();
+}
+
+// Another theme has another ground.
+void SpaceCanvas::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (begun_ && event->type() == QEvent::PaletteChange) move();
 }
 
 SceneRenderer::Frame SpaceCanvas::frame(SceneRenderer::Slot slot) const {
@@ -354,26 +293,15 @@ SceneRenderer::Frame SpaceCanvas::frame(SceneRenderer::Slot slot) const {
     frame.slab = slab_;
     // Without a graphics card each pixel counts: points of 1.5 instead of 2.5 pixels take half of the time.
     frame.point_pixels = slot == SceneRenderer::Slot::Still ? 2.0F : slow_ ? 1.5F : 2.5F;
-    frame.ground = theme().kind == ThemeKind::Sunlight ? 0xffffffU : 0x24272bU;
+    frame.ground = ground();
     return frame;
 }
 
-void SpaceCanvas::paintGL() {
-    if (!can_draw() || QOpenGLContext::currentContext() == nullptr) return;
-    QElapsedTimer timer;
-    timer.start();
-    SceneRenderer::Frame frame = this->frame(still_ ? SceneRenderer::Slot::Still : SceneRenderer::Slot::Moving);
-    frame.target_framebuffer = defaultFramebufferObject();
-    try {
-        renderer_->draw(frame);
-        context()->functions()->glFinish();
-    } catch (const Error& error) {
-        emit troubled(qt(error.what()));
-    }
-    drawn_ = renderer_->points(frame.slot);
-    frame_ms_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
-    if (frame.slot == SceneRenderer::Slot::Moving && frame_ms_ > kSlowFrame) slow_ = true;
-    emit framed();
+// Until there is a picture of this size, the last one is stretched.
+void SpaceCanvas::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (picture_.isNull()) return painter.fillRect(rect(), QColor::fromRgb(ground()));
+    painter.drawImage(rect(), picture_);
 }
 
 void SpaceCanvas::mousePressEvent(QMouseEvent* event) {
@@ -422,7 +350,7 @@ void SpaceCanvas::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_F:
     case Qt::Key_Home: return fit();
     case Qt::Key_T: return from_above();
-    default: QOpenGLWidget::keyPressEvent(event);
+    default: QWidget::keyPressEvent(event);
     }
 }
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QImage>
 #include <QTimer>
+#include <QWidget>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "gui/render/scene_renderer.hpp"
+#include "gui/render/scene_thread.hpp"
 #include "gui/viewmodels/difference_model.hpp"
 #include "gui/viewmodels/space_model.hpp"
 #include "gui/viewmodels/workspace.hpp"
@@ -18,17 +20,14 @@
 
 namespace planum::gui {
 
-/// Why OpenGL 3.3 cannot be used here; empty where it can.
-[[nodiscard]] QString opengl_trouble();
-
 /// The site in 3D. While it moves, a coarse set of points keeps the frame rate; when it stands still, a fine set of
-/// what the camera sees is chosen in a thread and drawn with depth shading.
-class SpaceCanvas : public QOpenGLWidget {
+/// what the camera sees is chosen in a thread and drawn with depth shading. It shows the pictures that a SceneThread
+/// draws, so the window answers however long a frame takes.
+class SpaceCanvas : public QWidget {
     Q_OBJECT
 
   public:
     SpaceCanvas(Workspace& workspace, SpaceModel& space);
-    ~SpaceCanvas() override;
 
     void set_colour(PointColour colour);
     /// What PointColour::Difference shows; null: nothing is compared.
@@ -72,12 +71,14 @@ class SpaceCanvas : public QOpenGLWidget {
     /// Two places were clicked with Shift: what lies between them.
     void measured(double distance, double rise);
     void troubled(const QString& sentence);
+    /// Another picture is there.
     void framed();
 
   protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -85,16 +86,14 @@ class SpaceCanvas : public QOpenGLWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    enum class StillPicture { None, Made, Shown };
+
     void show_frame(const Camera& camera);
-
-    [[nodiscard]] bool can_draw() const { return isValid() && renderer_ != nullptr; }
-
-    void drop_renderer();
+    void take_picture(const ScenePicture& picture);
     void take_scans();
     void show_no_points();
     void take_lines();
     void move();
-    void go_on_with_still();
     [[nodiscard]] SceneRenderer::Frame frame(SceneRenderer::Slot slot) const;
     void ask_for_points(SceneRenderer::Slot slot);
     void pick_at(QPointF at, bool measure);
@@ -103,7 +102,9 @@ class SpaceCanvas : public QOpenGLWidget {
 
     Workspace& workspace_;
     SpaceModel& space_;
-    std::unique_ptr<SceneRenderer> renderer_; ///< null until there is a context
+    SceneThread scene_;
+    QImage picture_;
+    std::uint64_t asked_ = 0; ///< number of the newest picture that was asked for
     std::vector<ShownScan> scans_;
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     double low_ = 0.0;
@@ -113,9 +114,9 @@ class SpaceCanvas : public QOpenGLWidget {
     std::shared_ptr<const GroundColours> difference_;
     bool eye_dome_ = true;
     bool fitted_ = false; ///< the camera looks at this project; choosing what is shown does not turn it
-    bool still_ = false;  ///< the still picture is finished and fits the camera
+    bool begun_ = false;  ///< it was shown
+    StillPicture still_ = StillPicture::None; ///< of where the camera is now
     QTimer settle_;
-    QTimer step_; ///< runs while the still picture is made
     QPointF last_;
     QPointF pressed_;
     bool dragged_ = false;

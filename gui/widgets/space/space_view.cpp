@@ -20,6 +20,7 @@
 #include "gui/widgets/space/contents_panel.hpp"
 #include "gui/widgets/space/difference_bar.hpp"
 #include "gui/widgets/space/flight_cameras.hpp"
+#include "gui/widgets/space/opengl_here.hpp"
 #include "gui/widgets/space/section_line_bar.hpp"
 #include "gui/widgets/space/space_canvas.hpp"
 #include "gui/widgets/theme.hpp"

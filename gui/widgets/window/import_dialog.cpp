@@ -33,6 +33,11 @@ ImportDialog::ImportDialog(DayJobs& day, DayJobs::Files files, QWidget* parent)
     });
     connect(update_, &QCheckBox::toggled, this, &ImportDialog::look_again);
     connect(&day_, &DayJobs::previewed, this, &ImportDialog::show_preview);
+    connect(&day_, &DayJobs::notPreviewed, this, [this](const QString& sentence) {
+        heading_->setText(tr("The files cannot be read; nothing was changed."));
+        text_->setPlainText(sentence);
+    });
+    heading_->setObjectName(QStringLiteral("importHeading"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(heading_);
     column->addWidget(text_, 1);

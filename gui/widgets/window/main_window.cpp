@@ -32,6 +32,7 @@
 #include "gui/widgets/window/job_sign.hpp"
 #include "gui/widgets/window/notice_bar.hpp"
 #include "gui/widgets/window/project_menu.hpp"
+#include "gui/widgets/window/start_page.hpp"
 #include "gui/widgets/window/tools_menu.hpp"
 
 namespace planum::gui {
@@ -66,6 +67,18 @@ MainWindow::MainWindow(const app::Session& session)
     column->addWidget(notice_);
     column->addWidget(tabs_, 1);
     column->addWidget(new TimeLine(models_.time));
+    auto* start = new StartPage(*this);
+    column->insertWidget(1, start, 1);
+    const auto show_either = [this, start] {
+        const bool open = !models_.workspace.file().empty(); // or on its way
+        start->setVisible(!open);
+        tabs_->setVisible(open);
+    };
+    connect(&models_.workspace, &Workspace::opened, this, show_either);
+    // Queued: where one project is closed for another, the page of neither is shown in between.
+    connect(&models_.workspace, &Workspace::closed, this, show_either, Qt::QueuedConnection);
+    connect(&models_.workspace, &Workspace::failed, this, show_either);
+    show_either();
     tabs_->setDocumentMode(true);
     setCentralWidget(middle);
     make_actions();
@@ -73,6 +86,7 @@ MainWindow::MainWindow(const app::Session& session)
     make_status();
     Workspace& workspace = models_.workspace;
     connect(&workspace, &Workspace::failed, notice_, &NoticeBar::say);
+    connect(&workspace, &Workspace::overcome, notice_, &NoticeBar::take_back);
     connect(&workspace, &Workspace::noted, this,
             [this](const QString& text) { statusBar()->showMessage(text, 10000); });
     connect(&workspace, &Workspace::opened, notice_, &QWidget::hide);

@@ -23,6 +23,7 @@ NoticeBar::NoticeBar() : text_(new QLabel) {
 }
 
 void NoticeBar::say(const QString& sentence) {
+    said_ = sentence;
     QString text = sentence.trimmed();
     // Errors of the libraries begin small and have no full stop; here they are sentences.
     if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -30,6 +31,10 @@ void NoticeBar::say(const QString& sentence) {
     text_->setText(text);
     setAccessibleName(text);
     show();
+}
+
+void NoticeBar::take_back(const QString& sentence) {
+    if (sentence == said_) hide();
 }
 
 QString NoticeBar::sentence() const { return text_->text(); }

@@ -15,9 +15,12 @@ class NoticeBar : public QFrame {
     NoticeBar();
 
     void say(const QString& sentence);
+    /// This sentence, where it is what stands here, holds no longer.
+    void take_back(const QString& sentence);
     [[nodiscard]] QString sentence() const;
 
   private:
+    QString said_; ///< as it was handed in
     QLabel* text_;
 };
 

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QBuffer>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QListView>
 #include <QPixmap>
 
@@ -90,6 +91,10 @@ void write_screenshot(MainWindow& window, const ScreenshotRequest& request) {
     QBuffer buffer(&bytes);
     window.grab().save(&buffer, "PNG");
     write_file_atomically(request.output, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    // The picture shows what the window shows; who asked for the site in 3D did not get it all the same.
+    if (const auto* trouble = window.findChild<QLabel*>(QStringLiteral("spaceTrouble"));
+        request.view == "3d" && trouble)
+        throw Error(ErrorCode::Io, trouble->text().toStdString());
 }
 
 } // namespace planum::gui

@@ -55,6 +55,12 @@ TEST_CASE("A file that cannot be imported is a sentence") {
     settle(d.workspace);
     CHECK(d.failures.size() == 1);
     CHECK(d.done.isEmpty());
+    QStringList refused;
+    QObject::connect(&d.day, &DayJobs::notPreviewed, [&](const QString& s) { refused << s; });
+    d.day.preview_import({d.site.folder / "gone.csv"}, false);
+    settle(d.workspace);
+    REQUIRE(refused.size() == 1);
+    CHECK(refused.front() == d.failures.back());
 }
 
 TEST_CASE("Files are known for what they are by their names") {

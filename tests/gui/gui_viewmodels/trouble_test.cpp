@@ -43,11 +43,16 @@ TEST_CASE("Two windows on one project keep what either enters") {
     Workspace first{app::Session{"Ada"}};
     Workspace second{app::Session{"Bob"}};
     QStringList failures;
+    QStringList notes;
+    QObject::connect(&second, &Workspace::noted, [&](const QString& s) { notes << s; });
     for (Workspace* one : {&first, &second}) {
+        CHECK(notes.isEmpty());
         QObject::connect(one, &Workspace::failed, [&](const QString& s) { failures << s; });
         one->open(site.file, store::OpenMode::ReadWrite);
         settle(*one);
     }
+    REQUIRE(notes.size() == 1);
+    CHECK(notes.front().contains(QStringLiteral("Another window")));
     first.edit(QStringLiteral("add"), adding("8"));
     settle(first);
     second.edit(QStringLiteral("add"), adding("9"));
@@ -199,6 +204,10 @@ TEST_CASE("What cannot be saved stays in the card and the entry, and is saved wh
     workspace.open(site.file, store::OpenMode::ReadWrite);
     settle(workspace);
     int recorded = 0;
+    QStringList failures;
+    QStringList over;
+    QObject::connect(&workspace, &Workspace::failed, [&](const QString& s) { failures << s; });
+    QObject::connect(&workspace, &Workspace::overcome, [&](const QString& s) { over << s; });
     QObject::connect(&models.entry, &RelationEntryModel::committed, [&](const QString&) { ++recorded; });
     const auto enter = [&] {
         models.entry.set(RelationEntryModel::Part::Subject, QStringLiteral("1"));
@@ -233,6 +242,9 @@ TEST_CASE("What cannot be saved stays in the card and the entry, and is saved wh
     }
     CHECK(models.card.unsaved().isEmpty());
     CHECK_FALSE(title().unsaved);
+    REQUIRE_FALSE(failures.isEmpty());
+    REQUIRE_FALSE(over.isEmpty());
+    CHECK(over.back() == failures.back()); // what was said of it holds no longer
     REQUIRE(models.entry.commit());
     settle(workspace);
     CHECK(recorded == 1);

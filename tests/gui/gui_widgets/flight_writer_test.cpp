@@ -52,6 +52,21 @@ TEST_CASE("A flight writes one numbered picture for each camera of the way, and 
     CHECK_FALSE(std::filesystem::exists(f.folder / "fly-0006.png"));
 }
 
+TEST_CASE("Frames of a longer flight in the same folder go, other files stay") {
+    Flying f;
+    const std::vector<Camera> cameras = {Flying::at(1.0), Flying::at(2.0)};
+    QSignalSpy flown(&f.writer, &FlightWriter::flown);
+    f.writer.start(cameras, f.folder.path(), 6);
+    REQUIRE(flown.wait(test::kPatience));
+    REQUIRE(QImage(8, 8, QImage::Format_RGB32).save(QString::fromStdString((f.folder / "fly-notes.png").string())));
+    f.writer.start(cameras, f.folder.path(), 3);
+    REQUIRE(flown.wait(test::kPatience));
+    CHECK(std::filesystem::exists(f.folder / "fly-0004.png"));
+    CHECK_FALSE(std::filesystem::exists(f.folder / "fly-0005.png"));
+    CHECK_FALSE(std::filesystem::exists(f.folder / "fly-0007.png"));
+    CHECK(std::filesystem::exists(f.folder / "fly-notes.png"));
+}
+
 TEST_CASE("A flight that is stopped says what it wrote; one into a folder that is gone is a sentence") {
     Flying f;
     const std::vector<Camera> cameras = {Flying::at(1.0), Flying::at(2.0)};

@@ -2,6 +2,7 @@
 #include "gui/widgets/window/main_window.hpp"
 
 #include <QAbstractItemView>
+#include <QAction>
 #include <QApplication>
 #include <QCompleter>
 #include <QImage>
@@ -12,8 +13,10 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 
 #include <algorithm>
 #include <set>
@@ -230,6 +233,69 @@ TEST_CASE("What cannot be done is said in the window and does not stop it") {
     shown.settle_all();
     CHECK_FALSE(shown.window.notice().isHidden());
     CHECK_FALSE(shown.window.notice().sentence().isEmpty());
+}
+
+TEST_CASE("A notice goes when what it says is over, and undo says what it took back") {
+    Shown shown;
+    const auto elsewhere = shown.site.folder / "elsewhere.gpkg";
+    std::filesystem::rename(shown.site.file, elsewhere);
+    auto* number = shown.find<QLineEdit>("newUnit");
+    QTest::keyClicks(number, QStringLiteral("77"));
+    QTest::keyClick(number, Qt::Key_Return);
+    shown.settle_all();
+    REQUIRE_FALSE(shown.window.notice().isHidden());
+    std::filesystem::rename(elsewhere, shown.site.file);
+    number->clear();
+    QTest::keyClicks(number, QStringLiteral("78"));
+    QTest::keyClick(number, Qt::Key_Return);
+    shown.settle_all();
+    CHECK(shown.window.notice().isHidden());
+    shown.find<QAction>("undo")->trigger();
+    shown.settle_all();
+    CHECK(shown.window.statusBar()->currentMessage().contains(QStringLiteral("Add unit 78")));
+}
+
+// Where the keys go cannot be seen here: without a screen every list of completions takes the window's activity away.
+TEST_CASE("A relation that could not be saved stands in the entry again, and Enter on it is enough") {
+    Shown shown;
+    auto* subject = shown.find<QLineEdit>("relationSubject");
+    auto* kind = shown.find<QLineEdit>("relationKind");
+    auto* object = shown.find<QLineEdit>("relationObject");
+    QSignalSpy back(&shown.window.models().entry, &RelationEntryModel::cameBack);
+    const auto elsewhere = shown.site.folder / "elsewhere.gpkg";
+    std::filesystem::rename(shown.site.file, elsewhere);
+    subject->clear();
+    QTest::keyClicks(subject, QStringLiteral("1"));
+    QTest::keyClick(subject, Qt::Key_Return);
+    QTest::keyClicks(kind, QStringLiteral("covers"));
+    QTest::keyClick(kind, Qt::Key_Return);
+    QTest::keyClicks(object, QStringLiteral("3"));
+    QTest::keyClick(object, Qt::Key_Return);
+    shown.settle_all();
+    CHECK(back.size() == 1);
+    CHECK(object->text() == QStringLiteral("3"));
+    std::filesystem::rename(elsewhere, shown.site.file);
+    QTest::keyClick(object, Qt::Key_Return);
+    shown.settle_all();
+    CHECK(back.size() == 1);
+    CHECK(shown.window.models().workspace.snapshot()->record().relations.size() == 3);
+}
+
+TEST_CASE("Without a project the window offers what one can begin with, the last ones too") {
+    Shown shown;
+    CHECK(shown.find<QWidget>("startPage")->isHidden());
+    shown.window.models().workspace.close();
+    shown.settle_all();
+    CHECK(shown.find<QWidget>("startPage")->isVisible());
+    for (const char* begin : {"start_newProject", "start_openProject", "start_makeDemo"})
+        CHECK(shown.find<QPushButton>(begin)->isVisible());
+    const auto buttons = shown.find<QWidget>("startPage")->findChildren<QToolButton*>();
+    REQUIRE_FALSE(buttons.isEmpty());
+    CHECK(buttons.front()->toolTip().toStdString() == shown.site.file.string());
+    buttons.front()->click();
+    shown.settle_all();
+    CHECK(shown.window.models().workspace.is_open());
+    CHECK(shown.find<QWidget>("startPage")->isHidden());
 }
 
 TEST_CASE("Every view has a name of its own, a title and an accessible focus") {
