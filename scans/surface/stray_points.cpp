@@ -11,7 +11,8 @@ namespace planum::scans {
 namespace {
 
 constexpr std::int32_t kNear = 3; // cells
-constexpr double kNearCells = (2.0 * kNear + 1.0) * (2.0 * kNear + 1.0) - 1.0;
+constexpr std::int32_t kWide = 2 * kNear + 1;
+constexpr double kNearCells = kWide * kWide - 1.0;
 
 /// How many of the cells around each hold points: sums over the cells to the south-west of each corner.
 class HeldCells {
@@ -51,36 +52,49 @@ class HeldCells {
     std::vector<std::uint32_t> sums_;
 };
 
-/// How many cells nearby lie as one at that height, itself not counted; `lies(cell, most)` says whether something
-/// there is no farther than `most` from it [m].
-template<class Lies>
-double alike_around(const GridFrame& frame, const SightRules& rules, std::int32_t row, std::int32_t column,
-                    const Lies& lies) {
-    int number = 0;
-    for (std::int32_t r = std::max(0, row - kNear); r <= std::min(frame.rows - 1, row + kNear); ++r) {
-        for (std::int32_t c = std::max(0, column - kNear); c <= std::min(frame.columns - 1, column + kNear); ++c) {
-            const double most = rules.rough + rules.slope * frame.cell * std::hypot(r - row, c - column);
-            if (lies(frame.at(r, c), most)) ++number;
+/// Whether fewer than `fewest` cells nearby lie as one does; `lies(cell, most)` says whether something there is no
+/// farther than `most` from its height [m].
+class Neighbours {
+  public:
+    Neighbours(const GridFrame& frame, const SightRules& rules) : frame_(frame) {
+        for (std::int32_t r = -kNear; r <= kNear; ++r) {
+            for (std::int32_t c = -kNear; c <= kNear; ++c)
+                most_.push_back(rules.rough + rules.slope * frame.cell * std::hypot(r, c));
         }
     }
-    return number - 1;
-}
+
+    template<class Lies>
+    [[nodiscard]] bool are_fewer(double fewest, std::int32_t row, std::int32_t column, const Lies& lies) const {
+        int alike = -1; // itself
+        for (std::int32_t r = std::max(0, row - kNear); r <= std::min(frame_.rows - 1, row + kNear); ++r) {
+            for (std::int32_t c = std::max(0, column - kNear); c <= std::min(frame_.columns - 1, column + kNear); ++c) {
+                const auto place = static_cast<std::size_t>((r - row + kNear) * kWide + c - column + kNear);
+                if (lies(frame_.at(r, c), most_[place]) && ++alike >= fewest) return false;
+            }
+        }
+        return alike < fewest;
+    }
+
+  private:
+    const GridFrame& frame_;
+    std::vector<double> most_; // by the place nearby
+};
 
 } // namespace
 
 std::vector<bool> stray_cells(const SurfaceGrid& grid, const SightRules& rules) {
     const GridFrame& frame = grid.frame;
     const HeldCells held(frame, rules, [&](std::size_t cell) { return grid.state[cell] != CellState::Unseen; });
+    const Neighbours nearby(frame, rules);
     std::vector<bool> stray(frame.cells());
     for (std::int32_t row = 0; row < frame.rows; ++row) {
         for (std::int32_t column = 0; column < frame.columns; ++column) {
             const std::size_t cell = frame.at(row, column);
             if (grid.state[cell] == CellState::Unseen) continue;
             const float height = grid.height[cell];
-            const double alike = alike_around(frame, rules, row, column, [&](std::size_t other, double most) {
+            stray[cell] = nearby.are_fewer(held.fewest(row, column), row, column, [&](std::size_t other, double most) {
                 return std::abs(static_cast<double>(grid.height[other] - height)) <= most;
             });
-            stray[cell] = alike < held.fewest(row, column);
         }
     }
     return stray;
@@ -90,6 +104,7 @@ std::vector<std::uint8_t> stray_layers(const LayerField& field, const SightRules
                                        Progress& progress) {
     const GridFrame& frame = field.frame;
     const HeldCells held(frame, rules, [&](std::size_t cell) { return !field.at(cell).empty(); });
+    const Neighbours nearby(frame, rules);
     std::vector<std::uint8_t> stray(field.layers(), 0);
     for_each_part(static_cast<std::size_t>(frame.rows), threads, progress, [&](std::size_t part) {
         const auto row = static_cast<std::int32_t>(part);
@@ -99,13 +114,14 @@ std::vector<std::uint8_t> stray_layers(const LayerField& field, const SightRules
             for (std::size_t k = 0; k < layers.size(); ++k) {
                 if (layers[k].wide) continue;
                 const float height = layers[k].height;
-                const double alike = alike_around(frame, rules, row, column, [&](std::size_t other, double most) {
+                const double fewest = held.fewest(row, column);
+                const bool is_stray = nearby.are_fewer(fewest, row, column, [&](std::size_t other, double most) {
                     const std::span<const HeightLayer> there = field.at(other);
                     return std::any_of(there.begin(), there.end(), [&](const HeightLayer& layer) {
                         return std::abs(static_cast<double>(layer.height - height)) <= most;
                     });
                 });
-                stray[field.first(cell) + k] = alike < held.fewest(row, column) ? 1 : 0;
+                stray[field.first(cell) + k] = is_stray ? 1 : 0;
             }
         }
     });
