@@ -186,8 +186,20 @@ class TruthWriter {
         ordered_json surfaces = ordered_json::array();
         for (SurfaceNo s = 0; s < dig_.plan.surfaces; ++s) {
             surfaces.push_back({{"surface", day(s)}, {"volume_m3", amount(by_surface[static_cast<std::size_t>(s)])}});
+            if (s > 0) surfaces.back()["from_above_m3"] = amount(from_above(s));
         }
         return {{"total_m3", amount(total)}, {"by_surface", surfaces}, {"by_unit", by_unit}};
+    }
+
+    // By how much the ground that lies bare sank since the surface before: all that heights can show. What went from
+    // under an overhang is not in it; what fell from the side is, until it is carried off.
+    [[nodiscard]] double from_above(SurfaceNo surface) const {
+        const SurfaceMap& before = dig_.maps[static_cast<std::size_t>(surface) - 1];
+        const SurfaceMap& after = dig_.maps[static_cast<std::size_t>(surface)];
+        double sum = 0.0;
+        for (std::size_t i = 0; i < after.size(); ++i)
+            sum += static_cast<double>(before[i].z) - static_cast<double>(after[i].z);
+        return sum * dig_.grid->cell() * dig_.grid->cell();
     }
 
     [[nodiscard]] ordered_json special() const {

@@ -230,3 +230,18 @@ TEST_CASE("Truth says poses, order, contacts, volumes and mistakes") {
     for (const auto& entry : truth.at("volumes").at("by_surface")) total += entry.at("volume_m3").get<double>();
     CHECK(truth.at("volumes").at("total_m3").get<double>() == Approx(total).margin(1e-4));
 }
+
+TEST_CASE("Truth tells how far the ground sank: never more than was dug so far, and less under overhangs and slumps") {
+    const DemoDig dig = dig_of(DemoSize::Small, model::DigMethod::Stratigraphic);
+    const auto truth = nlohmann::json::parse(truth_json(dig, {}));
+    const auto& days = truth.at("volumes").at("by_surface");
+    CHECK_FALSE(days.at(0).contains("from_above_m3"));
+    REQUIRE(dig.plan.slump.fell);
+    double hidden = 0.0; // dug, but not to be seen from above [m³]
+    for (std::size_t day = 1; day < days.size(); ++day) {
+        hidden += days.at(day).at("volume_m3").get<double>() - days.at(day).at("from_above_m3").get<double>();
+        CAPTURE(day);
+        CHECK(hidden > -1e-3);
+        if (static_cast<SurfaceNo>(day) == dig.plan.slump.surface) CHECK(hidden > 0.01);
+    }
+}
