@@ -1869,6 +1869,10 @@ Bitte den Namen prüfen.</translation>
         <source>Keep the window open</source>
         <translation>Fenster offen lassen</translation>
     </message>
+    <message>
+        <source>View alone</source>
+        <translation>Nur die Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::MatrixCanvas</name>

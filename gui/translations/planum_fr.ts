@@ -1863,6 +1863,10 @@ Please verify the correct directory name was given.</source>
         <source>Keep the window open</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>View alone</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>planum::gui::MatrixCanvas</name>

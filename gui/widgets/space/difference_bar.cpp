@@ -7,7 +7,9 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
+#include "gui/viewmodels/words.hpp"
 #include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -19,7 +21,7 @@ constexpr int kBand = 12; // [px] high
 
 QString centimetres(double metres) {
     const double value = metres * 100.0;
-    return QString::number(value, 'f', value < 10.0 ? 1 : 0).replace(QStringLiteral(".0"), QString()) +
+    return number_word(value, value < 10.0 && std::abs(value - std::round(value)) >= 0.05 ? 1 : 0) +
            QStringLiteral(" cm");
 }
 

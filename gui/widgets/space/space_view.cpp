@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "gui/viewmodels/models.hpp"
+#include "gui/viewmodels/words.hpp"
 #include "gui/widgets/choice_dialog.hpp"
 #include "gui/widgets/flow_layout.hpp"
 #include "gui/widgets/space/box_panel.hpp"
@@ -96,13 +97,14 @@ void SpaceView::make_canvas() {
             [this](int written) { said_->setText(tr("%n frame(s) written", nullptr, written)); });
     setFocusProxy(canvas_);
     connect(canvas_, &SpaceCanvas::picked, this, [this](double x, double y, double z) {
-        said_->setText(tr("x %1  y %2  height %3 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).arg(z, 0, 'f', 3));
+        said_->setText(
+            tr("x %1  y %2  height %3 m").arg(number_word(x, 3)).arg(number_word(y, 3)).arg(number_word(z, 3)));
         models_.section_line.take({x, y, z});
     });
     connect(canvas_, &SpaceCanvas::missed, this,
             [this] { said_->setText(tr("No point is there; come nearer, or click where points are drawn.")); });
     connect(canvas_, &SpaceCanvas::measured, this, [this](double distance, double rise) {
-        said_->setText(tr("%1 m apart, %2 m up").arg(distance, 0, 'f', 3).arg(rise, 0, 'f', 3));
+        said_->setText(tr("%1 m apart, %2 m up").arg(number_word(distance, 3)).arg(number_word(rise, 3)));
     });
     connect(cameras_, &FlightCameras::troubled, &models_.workspace, &Workspace::failed);
     connect(&flight, &FlightWriter::troubled, &models_.workspace, &Workspace::failed);

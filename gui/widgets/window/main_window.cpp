@@ -174,6 +174,9 @@ void MainWindow::make_actions() {
     redo_ = action("redo", tr("Redo"), QKeySequence::Redo);
     QAction* find = action("find", tr("Find a unit"), QKeySequence::Find);
     QAction* relate = action("relate", tr("Add a relation"), QKeySequence(QStringLiteral("Ctrl+R")));
+    alone_ = action("viewAlone", tr("View alone"), QKeySequence(Qt::Key_F11));
+    alone_->setCheckable(true);
+    connect(alone_, &QAction::toggled, this, &MainWindow::show_alone);
     connect(fresh, &QAction::triggered, this, &MainWindow::make_project);
     connect(open_it, &QAction::triggered, this, [this] { ask_for_project(store::OpenMode::ReadWrite); });
     connect(look, &QAction::triggered, this, [this] { ask_for_project(store::OpenMode::ReadOnly); });
@@ -186,8 +189,10 @@ void MainWindow::make_actions() {
     });
     connect(redo_, &QAction::triggered, &models_.workspace, &Workspace::redo);
     connect(find, &QAction::triggered, this, [this] { show_view("units"); });
-    connect(relate, &QAction::triggered, this,
-            [this] { findChild<QWidget*>(QStringLiteral("relationEntry"))->setFocus(); });
+    connect(relate, &QAction::triggered, this, [this] {
+        alone_->setChecked(false);
+        findChild<QWidget*>(QStringLiteral("relationEntry"))->setFocus();
+    });
 
     project_menu_ = new ProjectMenu(*this);
     menuBar()->addMenu(project_menu_);
@@ -198,6 +203,8 @@ void MainWindow::make_actions() {
     edit->addActions({undo_, redo_, find, relate});
     QMenu* view = menuBar()->addMenu(tr("View"));
     view->setObjectName(QStringLiteral("viewMenu"));
+    view->addAction(alone_);
+    view->addSeparator();
     menuBar()->addMenu(new ToolsMenu(*this));
     QMenu* looks = menuBar()->addMenu(tr("Theme"));
     for (const auto& [kind, text] : {std::pair{ThemeKind::Light, tr("Light")}, std::pair{ThemeKind::Dark, tr("Dark")},
@@ -211,7 +218,7 @@ void MainWindow::make_actions() {
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
-    bar->addActions({open_it, undo_, redo_, find, relate});
+    bar->addActions({open_it, undo_, redo_, find, relate, alone_});
 }
 
 void MainWindow::make_status() {
@@ -275,11 +282,24 @@ QWidget* MainWindow::view(std::string_view name) const {
     return it == views_.end() ? nullptr : it->second;
 }
 
+// On a tablet lists and card leave little room for a drawing. What lay in front of the panels below does so again.
+void MainWindow::show_alone(bool alone) {
+    for (const auto& [name, dock] : docks_) {
+        if (alone) dock->setProperty("wasInFront", !dock->visibleRegion().isEmpty());
+        dock->setVisible(!alone);
+    }
+    if (alone) return;
+    for (const auto& [name, dock] : docks_) {
+        if (dock->property("wasInFront").toBool()) dock->raise();
+    }
+}
+
 void MainWindow::show_view(std::string_view name) {
     QWidget* shown = view(name);
     if (shown == nullptr) return;
     const auto dock = docks_.find(name);
     if (dock != docks_.end()) {
+        alone_->setChecked(false);
         dock->second->show();
         dock->second->raise();
     } else {

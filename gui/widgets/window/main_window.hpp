@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow {
     void size_docks();
     void make_actions();
     void make_status();
+    void show_alone(bool alone);
     void fill_languages(QMenu& menu);
     void refresh();
     void ask_for_project(store::OpenMode mode);
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
     ProjectMenu* project_menu_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
+    QAction* alone_ = nullptr;
     QLabel* state_;
     QLabel* problems_;
     AskToClose close_anyway_ = &MainWindow::ask_to_close;

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -62,10 +63,19 @@ StartPage::StartPage(MainWindow& window) : window_(window), recent_(new QVBoxLay
     row->addStretch(1);
     row->addWidget(inside);
     row->addStretch(1);
-    auto* whole = new QVBoxLayout(this);
-    whole->addStretch(2);
-    whole->addLayout(row);
-    whole->addStretch(3);
+    auto* whole = new QWidget;
+    auto* middle = new QVBoxLayout(whole);
+    middle->addStretch(2);
+    middle->addLayout(row);
+    middle->addStretch(3);
+    // What does not fit on a low screen is scrolled to: it must not make the window higher than that.
+    auto* scrolled = new QScrollArea;
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setWidgetResizable(true);
+    scrolled->setWidget(whole);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(scrolled);
 }
 
 void StartPage::showEvent(QShowEvent* event) {

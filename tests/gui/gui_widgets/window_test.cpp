@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCompleter>
+#include <QDockWidget>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -279,6 +280,23 @@ TEST_CASE("A relation that could not be saved stands in the entry again, and Ent
     shown.settle_all();
     CHECK(back.size() == 1);
     CHECK(shown.window.models().workspace.snapshot()->record().relations.size() == 3);
+}
+
+TEST_CASE("A view alone has the whole window; a panel that is asked for brings the others back") {
+    Shown shown;
+    const auto visible = [&] {
+        const auto docks = shown.window.findChildren<QDockWidget*>();
+        return std::count_if(docks.begin(), docks.end(), [](const QDockWidget* dock) { return dock->isVisible(); });
+    };
+    REQUIRE(visible() > 2);
+    const auto before = visible();
+    shown.find<QAction>("viewAlone")->trigger();
+    CHECK(visible() == 0);
+    shown.window.show_view("plan");
+    CHECK(visible() == 0);
+    shown.window.show_view("units");
+    CHECK(visible() == before);
+    CHECK_FALSE(shown.find<QAction>("viewAlone")->isChecked());
 }
 
 TEST_CASE("Without a project the window offers what one can begin with, the last ones too") {
