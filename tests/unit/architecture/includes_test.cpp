@@ -89,7 +89,8 @@ std::string library_of(const std::string& header) {
         {std::regex("Q(Object|String|StringList|Abstract.*Model|ModelIndex|SortFilterProxyModel|Timer|Thread.*|Variant|"
                     "Hash|List|DateTime|Date|Settings|StandardPaths|File|FileInfo|FileSystemWatcher|Dir|Event|"
                     "EventLoop|CoreApplication|Pointer|MetaObject|Point|PointF|Rect|RectF|Size|SizeF|Locale|"
-                    "Translator|RegularExpression|ElapsedTimer|XmlStreamReader|Url|Mutex|ByteArray|LibraryInfo|t)|Qt[A-"
+                    "Translator|RegularExpression|ElapsedTimer|LockFile|CryptographicHash|XmlStreamReader|Url|Mutex|"
+                    "ByteArray|LibraryInfo|t)|Qt[A-"
                     "Z].*|Qt"),
          "qtcore"},
         {std::regex("Q[A-Z].*"), "qtgui"},
