@@ -8,6 +8,7 @@
 #include <QSurfaceFormat>
 #include <QThread>
 
+#include <exception>
 #include <utility>
 
 #include "core/base/error.hpp"
@@ -35,7 +36,7 @@ class SceneThread::Worker : public QObject {
                 throw Error(ErrorCode::Io, "there is no OpenGL here");
             renderer_ = std::make_unique<SceneRenderer>();
             renderer_->initialise();
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             fail(error);
         }
     }
@@ -57,7 +58,7 @@ class SceneThread::Worker : public QObject {
                 if (renderer_ == nullptr) return;
                 try {
                     work(*renderer_);
-                } catch (const Error& error) {
+                } catch (const std::exception& error) {
                     fail(error);
                 }
             },
@@ -87,7 +88,7 @@ class SceneThread::Worker : public QObject {
   private:
     [[nodiscard]] QOpenGLExtraFunctions& gl() const { return *context_->extraFunctions(); }
 
-    void fail(const Error& error) {
+    void fail(const std::exception& error) {
         renderer_.reset();
         emit owner_.troubled(QString::fromUtf8(error.what()));
     }
@@ -95,6 +96,7 @@ class SceneThread::Worker : public QObject {
     // OpenGL counts rows from below.
     QImage read_back(const SceneRenderer::Frame& frame) {
         QImage upside_down(frame.width, frame.height, QImage::Format_RGB32);
+        if (upside_down.isNull()) throw Error(ErrorCode::Io, "no memory for a picture of the site in 3D");
         gl().glPixelStorei(GL_PACK_ALIGNMENT, 4);
         gl().glReadPixels(0, 0, frame.width, frame.height, kGlBgra, GL_UNSIGNED_BYTE, upside_down.bits());
         return std::move(upside_down).mirrored();
@@ -118,6 +120,9 @@ SceneThread::SceneThread(const QSurfaceFormat& format)
         worker_->moveToThread(thread_.get());
         thread_->start();
     }
+}
+
+void SceneThread::begin() {
     QMetaObject::invokeMethod(
         worker_.get(), [this] { worker_->begin(); }, Qt::QueuedConnection);
 }

@@ -37,6 +37,9 @@ class SceneThread : public QObject {
     explicit SceneThread(const QSurfaceFormat& format);
     ~SceneThread() override;
 
+    /// To be called once, when its signals are connected: what is wrong from the start is said, too.
+    void begin();
+
     void set_moving(std::shared_ptr<const PointSet> points);
     void set_lines(std::vector<SceneLine> lines, const Eigen::Vector3d& origin);
 
@@ -55,7 +58,7 @@ class SceneThread : public QObject {
 
   signals:
     void drawn(const planum::gui::ScenePicture& picture);
-    /// Nothing is drawn, and why.
+    /// Nothing is drawn from now on, and why.
     void troubled(const QString& sentence);
 
   private:

@@ -1856,22 +1856,22 @@ Bitte den Namen prüfen.</translation>
         <translation>Nicht gespeichert</translation>
     </message>
     <message>
-        <source>These fields could not be saved, and are lost when the window closes:
-%1</source>
-        <translation>Diese Felder ließen sich nicht speichern und gehen verloren, wenn das Fenster schließt:
-%1</translation>
-    </message>
-    <message>
         <source>Close all the same</source>
         <translation>Trotzdem schließen</translation>
     </message>
     <message>
-        <source>Keep the window open</source>
-        <translation>Fenster offen lassen</translation>
-    </message>
-    <message>
         <source>View alone</source>
         <translation>Nur die Ansicht</translation>
+    </message>
+    <message>
+        <source>These fields could not be saved, and are lost when the project closes:
+%1</source>
+        <translation>Diese Felder konnten nicht gesichert werden und gehen verloren, wenn das Projekt geschlossen wird:
+%1</translation>
+    </message>
+    <message>
+        <source>Keep the project open</source>
+        <translation>Projekt offen lassen</translation>
     </message>
 </context>
 <context>

@@ -1851,20 +1851,20 @@ Please verify the correct directory name was given.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>These fields could not be saved, and are lost when the window closes:
-%1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Close all the same</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the window open</source>
+        <source>View alone</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>View alone</source>
+        <source>These fields could not be saved, and are lost when the project closes:
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the project open</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

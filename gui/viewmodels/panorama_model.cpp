@@ -61,6 +61,7 @@ QStringList PanoramaModel::scans() const {
 
 void PanoramaModel::take_surface() {
     const QStringList there = scans();
+    if (!trouble_.isEmpty() && watched_) load(); // the record was read again: perhaps the scan can be, too
     if (!there.contains(qt(scan_))) {
         scan_ = there.isEmpty() ? std::string{} : there.front().toStdString();
         loaded_.reset();

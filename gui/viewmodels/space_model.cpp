@@ -69,6 +69,9 @@ void SpaceModel::load() {
         [this](const QString& sentence) {
             loading_ = false;
             trouble_ = sentence;
+            stale_ = true;
+            scans_ =
+                std::make_shared<std::vector<app::PlacedScan>>(); // those of another day would be shown as this one's
             emit loaded();
         });
 }

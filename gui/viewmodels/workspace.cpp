@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gui/viewmodels/workspace.hpp"
 
+#include <unistd.h>
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileSystemWatcher>
@@ -68,6 +70,7 @@ Workspace::Workspace(app::Session session, QObject* parent)
     auto* look_again = new QTimer(this);
     connect(look_again, &QTimer::timeout, this, [this, last = Stamp{}]() mutable {
         if (!is_open()) return;
+        if (presence_ != nullptr && !presence_->isLocked()) (void)presence_->tryLock(); // the other window may be gone
         const Stamp now = stamp_of(file_);
         if (now.log_size > 0 && now != last) look_soon_->start();
         last = now;
@@ -140,7 +143,8 @@ void Workspace::close() {
     holder_.reset();
     file_.clear();
     read_only_because_.clear();
-    trouble_.clear();
+    unwritten_.clear();
+    unread_.clear();
     presence_.reset();
     snapshot_.reset();
     selected_ = {};
@@ -148,19 +152,14 @@ void Workspace::close() {
     if (was_open) emit closed();
 }
 
-void Workspace::say_trouble(const QString& sentence) {
-    trouble_ = sentence;
-    emit failed(sentence);
-}
-
-void Workspace::end_trouble() {
-    if (trouble_.isEmpty()) return;
-    const QString over = std::exchange(trouble_, {});
+void Workspace::end_trouble(QString& trouble) {
+    if (trouble.isEmpty()) return;
+    const QString over = std::exchange(trouble, {});
     emit overcome(over);
 }
 
 void Workspace::take(SnapshotPtr snapshot) {
-    end_trouble();
+    end_trouble(unread_);
     snapshot_ = std::move(snapshot);
     emit snapshotChanged();
     if (!selected_.is_nil() && snapshot_->index().find(selected_) == model::kNoUnit) select({});
@@ -192,13 +191,15 @@ void Workspace::edit(const QString& title, Edit work, std::function<void()> done
         holder->note_time();
         return [this, holder, done, snapshot = app::take_snapshot(*holder->project)]() mutable {
             if (holder != holder_) return;
+            end_trouble(unwritten_);
             take(std::move(snapshot));
             if (done) done();
         };
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, title, kind, std::move(in_thread),
                 [this, holder = holder_, failed_too = std::move(failed_too)](const QString& sentence) {
-                    say_trouble(sentence);
+                    unwritten_ = sentence;
+                    emit failed(sentence);
                     if (failed_too && holder == holder_) failed_too(sentence);
                 });
 }
@@ -282,7 +283,8 @@ void Workspace::watch() {
 }
 
 // Two windows may work on one project; whoever opens the second one should know. Nothing is locked by it: where the
-// sign cannot be put up, nothing is said.
+// sign cannot be put up, nothing is said. Each user has signs of his own: one that another's crashed window left could
+// not be taken down.
 void Workspace::show_presence() {
     if (holder_->mode != store::OpenMode::ReadWrite || !read_only_because_.isEmpty()) return;
     std::error_code trouble;
@@ -290,8 +292,8 @@ void Workspace::show_presence() {
     if (trouble) return;
     const QByteArray name =
         QCryptographicHash::hash(QByteArray::fromStdString(path.string()), QCryptographicHash::Sha1);
-    presence_ = std::make_unique<QLockFile>(
-        QDir::temp().filePath(QStringLiteral("planum-open-%1").arg(QString::fromLatin1(name.toHex().left(16)))));
+    presence_ = std::make_unique<QLockFile>(QDir::temp().filePath(
+        QStringLiteral("planum-open-%1-%2").arg(getuid()).arg(QString::fromLatin1(name.toHex().left(16)))));
     presence_->setStaleLockTime(0); // a day in one window is no old age; one that crashed is known by its process
     if (presence_->tryLock() || presence_->error() != QLockFile::LockFailedError) return;
     emit noted(tr("Another window has this project open, too. What either saves, the other shows at once."));
@@ -302,8 +304,9 @@ void Workspace::look_at_file() {
     if (!is_open()) return;
     std::error_code trouble;
     if (!std::filesystem::exists(file_, trouble)) {
-        say_trouble(tr("%1 is gone. What you see was read before; put the file back, or save a copy elsewhere.")
-                        .arg(qt(file_.string())));
+        unread_ = tr("%1 is gone. What you see was read before; put the file back, or save a copy elsewhere.")
+                      .arg(qt(file_.string()));
+        emit failed(unread_);
         return;
     }
     if (watcher_->files().isEmpty()) watcher_->addPath(qt(file_.string()));
@@ -316,7 +319,9 @@ void Workspace::read_again(Reread when, std::function<void()> done) {
                  done = std::move(done)](Progress&) -> JobRunner::Done {
         if (when == Reread::WhenOlder && stamp_of(path) == holder->seen) {
             return [this, holder] {
-                if (holder == holder_) end_trouble(); // the file is there and as it was
+                if (holder != holder_ || unread_.isEmpty()) return;
+                end_trouble(unread_);   // it is there again, as it was
+                emit snapshotChanged(); // for what could not be read meanwhile
             };
         }
         holder->project.emplace(app::Project::open(path, holder->mode, session));
@@ -328,7 +333,10 @@ void Workspace::read_again(Reread when, std::function<void()> done) {
         };
     };
     jobs_.start(kRecordLane, JobRunner::Queueing::InOrder, tr("Reading the project again"), Job::Kind::Quiet,
-                std::move(work), [this](const QString& sentence) { say_trouble(sentence); });
+                std::move(work), [this](const QString& sentence) {
+                    unread_ = sentence;
+                    emit failed(sentence);
+                });
 }
 
 } // namespace planum::gui

@@ -110,8 +110,7 @@ class Workspace : public QObject {
     struct Holder;
     void start_opening(const QString& title, std::function<app::Project()> make);
     void take(SnapshotPtr snapshot);
-    void say_trouble(const QString& sentence);
-    void end_trouble();
+    void end_trouble(QString& trouble);
     void watch();
     void show_presence();
     void look_at_file();
@@ -123,7 +122,8 @@ class Workspace : public QObject {
     std::shared_ptr<Holder> holder_;
     std::filesystem::path file_;
     QString read_only_because_;
-    QString trouble_; ///< with writing or reading the record, said and not over yet
+    QString unwritten_; ///< why the last edit is not in the file; said, and not over yet
+    QString unread_;    ///< why the file cannot be read; said, and not over yet
     SnapshotPtr snapshot_;
     model::UnitId selected_;
     Proof proof_;

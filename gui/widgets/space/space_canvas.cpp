@@ -55,16 +55,21 @@ SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
     connect(&settle_, &QTimer::timeout, this, [this] { ask_for_points(SceneRenderer::Slot::Still); });
     connect(&scene_, &SceneThread::drawn, this, &SpaceCanvas::take_picture);
     connect(&scene_, &SceneThread::troubled, this, [this](const QString& sentence) {
-        setProperty("busy", false); // no picture is on its way
+        broken_ = true; // no picture is on its way
+        set_busy(false);
+        flight_.stop();
         emit troubled(sentence);
     });
+    scene_.begin();
     connect(&flight_, &FlightWriter::wanted, this, &SpaceCanvas::show_frame);
     connect(&space_, &SpaceModel::loaded, this, &SpaceCanvas::take_scans);
     connect(&space_, &SpaceModel::outlinesChanged, this, &SpaceCanvas::take_lines);
     connect(&workspace_, &Workspace::snapshotChanged, this, [this] {
-        if (colour_ == PointColour::Unit) set_colour(colour_);
+        if (colour_ == PointColour::Unit && !flight_.is_flying()) set_colour(colour_);
     });
 }
+
+void SpaceCanvas::set_busy(bool busy) { setProperty("busy", busy && !broken_); }
 
 void SpaceCanvas::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
@@ -86,10 +91,11 @@ void SpaceCanvas::take_scans() {
 
 void SpaceCanvas::show_no_points() {
     for (const char* lane : {kMovingLane, kStillLane}) workspace_.jobs().cancel(QString::fromLatin1(lane));
+    flight_.stop();
     scene_.set_moving(std::make_shared<const PointSet>());
     settle_.stop();
     still_ = StillPicture::None;
-    setProperty("busy", false);
+    set_busy(false);
     asked_ = scene_.draw(frame(SceneRenderer::Slot::Moving));
 }
 
@@ -138,7 +144,7 @@ void SpaceCanvas::set_eye_dome(bool on) {
     if (still_ == StillPicture::None) return;
     asked_ = scene_.make_still_again(frame(SceneRenderer::Slot::Still));
     still_ = StillPicture::Made;
-    setProperty("busy", true);
+    set_busy(true);
 }
 
 void SpaceCanvas::set_box(const std::array<double, 3>& low, const std::array<double, 3>& high) {
@@ -180,7 +186,7 @@ void SpaceCanvas::show_frame(const Camera& camera) {
     camera_ = camera;
     still_ = StillPicture::None;
     settle_.stop();
-    setProperty("busy", true);
+    set_busy(true);
     ask_for_points(SceneRenderer::Slot::Still);
 }
 
@@ -191,7 +197,7 @@ void SpaceCanvas::move() {
     if (scans_.empty()) return show_no_points();
     still_ = StillPicture::None;
     settle_.start(std::max(kSettle, static_cast<int>(1.5 * frame_ms_)));
-    setProperty("busy", true);
+    set_busy(true);
     asked_ = scene_.draw(frame(SceneRenderer::Slot::Moving));
 }
 
@@ -206,7 +212,7 @@ void SpaceCanvas::take_picture(const ScenePicture& picture) {
     emit framed();
     if (!is_still || still_ != StillPicture::Made) return;
     still_ = StillPicture::Shown;
-    setProperty("busy", false);
+    set_busy(false);
     if (flight_.is_flying()) flight_.take(picture_);
 }
 
@@ -242,7 +248,11 @@ void SpaceCanvas::ask_for_points(SceneRenderer::Slot slot) {
                 if (still_ != StillPicture::Shown) scene_.draw_meanwhile(frame(slot));
             };
         },
-        [this](const QString& sentence) { emit troubled(sentence); });
+        [this](const QString& sentence) {
+            set_busy(false);
+            flight_.stop();
+            emit troubled(sentence);
+        });
 }
 
 void SpaceCanvas::take_lines() {

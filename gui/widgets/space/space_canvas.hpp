@@ -50,7 +50,7 @@ class SpaceCanvas : public QWidget {
 
     void set_clicks(Clicks clicks) { clicks_ = clicks; }
 
-    /// Writes flights; moving the camera by hand ends one.
+    /// Writes flights; moving the camera by hand ends one, and so does another size or theme of the view.
     [[nodiscard]] FlightWriter& flight() noexcept { return flight_; }
 
     [[nodiscard]] bool has_scans() const noexcept { return !scans_.empty(); }
@@ -86,6 +86,8 @@ class SpaceCanvas : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    void set_busy(bool busy);
+
     enum class StillPicture { None, Made, Shown };
 
     void show_frame(const Camera& camera);
@@ -114,6 +116,7 @@ class SpaceCanvas : public QWidget {
     std::shared_ptr<const GroundColours> difference_;
     bool eye_dome_ = true;
     bool fitted_ = false; ///< the camera looks at this project; choosing what is shown does not turn it
+    bool broken_ = false; ///< nothing can be drawn any more
     bool begun_ = false;  ///< it was shown
     StillPicture still_ = StillPicture::None; ///< of where the camera is now
     QTimer settle_;

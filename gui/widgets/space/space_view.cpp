@@ -106,6 +106,9 @@ void SpaceView::make_canvas() {
     connect(canvas_, &SpaceCanvas::measured, this, [this](double distance, double rise) {
         said_->setText(tr("%1 m apart, %2 m up").arg(number_word(distance, 3)).arg(number_word(rise, 3)));
     });
+    connect(&space_, &SpaceModel::loaded, this, [this] {
+        if (!space_.trouble().isEmpty()) said_->setText(space_.trouble());
+    });
     connect(cameras_, &FlightCameras::troubled, &models_.workspace, &Workspace::failed);
     connect(&flight, &FlightWriter::troubled, &models_.workspace, &Workspace::failed);
     connect(canvas_, &SpaceCanvas::troubled, &models_.workspace, &Workspace::failed);

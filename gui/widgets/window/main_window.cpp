@@ -2,20 +2,25 @@
 #include "gui/widgets/window/main_window.hpp"
 
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFontMetrics>
+#include <QKeyEvent>
 #include <QKeySequence>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTextDocument>
 #include <QTimer>
 #include <QToolBar>
 #include <QUrl>
@@ -97,6 +102,7 @@ MainWindow::MainWindow(const app::Session& session)
     connect(&models_.day, &DayJobs::done, this, [this](const QString& text) { statusBar()->showMessage(text, 15000); });
     connect(&models_.section_line, &SectionLine::handedOver, this, [this] { show_view("section"); });
     setAcceptDrops(true);
+    qApp->installEventFilter(this);
     connect(&models_.entry, &RelationEntryModel::committed, this,
             [this](const QString& sentence) { statusBar()->showMessage(tr("recorded: %1").arg(sentence), 6000); });
     refresh();
@@ -192,6 +198,7 @@ void MainWindow::make_actions() {
     connect(relate, &QAction::triggered, this, [this] {
         alone_->setChecked(false);
         findChild<QWidget*>(QStringLiteral("relationEntry"))->setFocus();
+        findChild<QLineEdit*>(QStringLiteral("relationSubject"))->selectAll(); // what is typed is another unit
     });
 
     project_menu_ = new ProjectMenu(*this);
@@ -260,7 +267,9 @@ void MainWindow::refresh() {
     problems_->setText(models_.problems.is_checked() ? models_.problems.summary() : QString());
 }
 
-void MainWindow::open(const std::filesystem::path& file, store::OpenMode mode) { models_.workspace.open(file, mode); }
+void MainWindow::open(const std::filesystem::path& file, store::OpenMode mode) {
+    leave_project([this, file, mode] { models_.workspace.open(file, mode); });
+}
 
 void MainWindow::ask_for_project(store::OpenMode mode) {
     const QString file =
@@ -274,7 +283,7 @@ void MainWindow::make_project() {
     if (!file.endsWith(QLatin1String(".gpkg"))) file += QStringLiteral(".gpkg");
     model::ProjectSettings settings;
     settings.name = std::filesystem::path(file.toStdString()).stem().string();
-    models_.workspace.create(file.toStdString(), settings);
+    leave_project([this, file, settings] { models_.workspace.create(file.toStdString(), settings); });
 }
 
 QWidget* MainWindow::view(std::string_view name) const {
@@ -326,8 +335,33 @@ void MainWindow::showEvent(QShowEvent* event) {
     if (!std::exchange(docks_sized_, true)) size_docks();
 }
 
+// A field in which nothing was typed has nothing to take back: Ctrl+Z is then the record's.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
+        return QMainWindow::eventFilter(watched, event);
+    const auto* line = qobject_cast<QLineEdit*>(watched);
+    const auto* text = qobject_cast<QPlainTextEdit*>(watched);
+    const bool untouched =
+        (line != nullptr && !line->isUndoAvailable()) || (text != nullptr && !text->document()->isUndoAvailable());
+    if (!untouched) return QMainWindow::eventFilter(watched, event);
+    event->ignore();
+    return true;
+}
+
 void MainWindow::leave_field() {
     if (QWidget* field = focusWidget()) field->clearFocus();
+}
+
+// As before the window closes: what somebody did a moment ago is saved first; what could not be is asked about.
+void MainWindow::leave_project(std::function<void()> then) {
+    leave_field();
+    if (models_.workspace.is_saving()) {
+        statusBar()->showMessage(tr("saving …"));
+        QTimer::singleShot(kLookAgain, this, [this, then = std::move(then)] { leave_project(then); });
+        return;
+    }
+    const QStringList unsaved = models_.card.unsaved();
+    if (unsaved.isEmpty() || close_anyway_(this, unsaved)) then();
 }
 
 // What somebody did a moment ago is saved first; what could not be is asked about. Long jobs are stopped and leave the
@@ -347,11 +381,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 bool MainWindow::ask_to_close(QWidget* parent, const QStringList& unsaved) {
     QMessageBox box(QMessageBox::Warning, tr("Not saved"),
-                    tr("These fields could not be saved, and are lost when the window closes:\n%1")
+                    tr("These fields could not be saved, and are lost when the project closes:\n%1")
                         .arg(unsaved.join(QLatin1Char('\n'))),
                     QMessageBox::NoButton, parent);
     const QPushButton* lose = box.addButton(tr("Close all the same"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(box.addButton(tr("Keep the window open"), QMessageBox::RejectRole));
+    box.setDefaultButton(box.addButton(tr("Keep the project open"), QMessageBox::RejectRole));
     box.exec();
     return box.clickedButton() == lose;
 }

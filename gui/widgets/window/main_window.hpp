@@ -51,6 +51,7 @@ class MainWindow : public QMainWindow {
     void ask_to_close_with(AskToClose ask) { close_anyway_ = std::move(ask); }
 
   protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -59,6 +60,7 @@ class MainWindow : public QMainWindow {
   private:
     static bool ask_to_close(QWidget* parent, const QStringList& unsaved);
     void leave_field();
+    void leave_project(std::function<void()> then);
     void make_views();
     void size_docks();
     void make_actions();

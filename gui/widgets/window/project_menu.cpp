@@ -3,9 +3,12 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -189,11 +192,20 @@ void show_shortcuts(MainWindow& window) {
         ProjectMenu::tr("while drawing: last corner back"));
     row(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText),
         ProjectMenu::tr("while drawing: cancel (can be taken back)"));
-    auto* dialog = new QDialog(&window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(ProjectMenu::tr("Shortcuts"));
-    (new QVBoxLayout(dialog))->addWidget(new QLabel(text + QStringLiteral("</table>")));
-    dialog->show();
+    QDialog dialog(&window);
+    dialog.setWindowTitle(ProjectMenu::tr("Shortcuts"));
+    auto* list = new QLabel(text + QStringLiteral("</table>"));
+    auto* scrolled = new QScrollArea; // a tablet is lower than the list is long
+    scrolled->setWidgetResizable(true);
+    scrolled->setWidget(list);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    auto* column = new QVBoxLayout(&dialog);
+    column->addWidget(scrolled, 1);
+    column->addWidget(buttons);
+    const QSize wanted = list->sizeHint() + QSize(60, 90);
+    dialog.resize(wanted.boundedTo(0.85 * window.screen()->availableSize()));
+    dialog.exec();
 }
 
 } // namespace planum::gui

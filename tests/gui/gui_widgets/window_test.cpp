@@ -299,6 +299,53 @@ TEST_CASE("A view alone has the whole window; a panel that is asked for brings t
     CHECK_FALSE(shown.find<QAction>("viewAlone")->isChecked());
 }
 
+TEST_CASE("Another project is opened only when what could not be saved may be lost") {
+    Shown shown;
+    const test::GuiProject other;
+    Workspace& workspace = shown.window.models().workspace;
+    workspace.select(workspace.snapshot()->record().units.front().id);
+    shown.settle_all();
+    std::filesystem::rename(shown.site.file, shown.site.folder / "elsewhere.gpkg");
+    shown.window.models().card.set_field("title", QStringLiteral("typed in the rain"));
+    shown.settle_all();
+    REQUIRE(shown.window.models().card.unsaved().size() == 1);
+    int asked = 0;
+    bool lose = false;
+    shown.window.ask_to_close_with([&](QWidget*, const QStringList&) {
+        ++asked;
+        return lose;
+    });
+    const auto opens = [&] {
+        shown.window.open(other.file, store::OpenMode::ReadWrite);
+        for (int i = 0; i < 100 && asked == 0; ++i) QTest::qWait(20); // one more try to save may be on its way
+        shown.settle_all();
+        return workspace.file() == other.file;
+    };
+    CHECK_FALSE(opens());
+    CHECK(asked == 1);
+    CHECK(shown.window.models().card.unsaved().size() == 1);
+    asked = 0;
+    lose = true;
+    CHECK(opens());
+    CHECK(asked == 1);
+}
+
+TEST_CASE("Ctrl+Z in a field in which nothing was typed takes back the last change of the record") {
+    Shown shown;
+    Workspace& workspace = shown.window.models().workspace;
+    workspace.select(workspace.snapshot()->record().units.front().id);
+    shown.settle_all();
+    auto* field = shown.window.findChild<QPlainTextEdit*>();
+    REQUIRE(field != nullptr);
+    QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    key.ignore(); // as Qt asks
+    QApplication::sendEvent(field, &key);
+    CHECK_FALSE(key.isAccepted()); // so it is a shortcut
+    field->insertPlainText(QStringLiteral("ash"));
+    QApplication::sendEvent(field, &key);
+    CHECK(key.isAccepted());
+}
+
 TEST_CASE("Without a project the window offers what one can begin with, the last ones too") {
     Shown shown;
     CHECK(shown.find<QWidget>("startPage")->isHidden());
