@@ -100,7 +100,19 @@ SiteFeatures features_of_site(const std::filesystem::path& file) {
     return site;
 }
 
-// Scans of two sites that have nothing to do with each other, paired at random: none may be accepted.
+// Turned any way and up to 2 m aside, both scanners at one height above their ground: what a wrong guess may look like.
+geometry::Rigid3 wrong_start(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> turn(0.0, 6.283185307179586);
+    std::uniform_real_distribution<double> aside(-2.0, 2.0);
+    const double yaw = turn(random);
+    geometry::Rigid3 start;
+    start.rotation = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    start.translation = {aside(random), aside(random), 0.0};
+    return start;
+}
+
+// Scans of two sites that have nothing to do with each other, paired at random: none may be accepted, neither by their
+// features nor, without asking these, by the fine alignment from a wrong guess.
 void bench_wrong_pairs(const std::string& first, const std::string& second, std::uint64_t pairs) {
     const SiteFeatures a = features_of_site(first);
     const SiteFeatures b = features_of_site(second);
@@ -108,9 +120,13 @@ void bench_wrong_pairs(const std::string& first, const std::string& second, std:
     int coarse = 0;
     int fine = 0;
     int most = 0;
+    int guesses = 0;
     for (std::uint64_t i = 0; i < pairs; ++i) {
         const std::size_t t = random() % a.names.size();
         const std::size_t s = random() % b.names.size();
+        const auto guessed = scans::align_scans(a.prepared[t], b.prepared[s], wrong_start(random));
+        guesses += guessed.is_accepted ? 1 : 0;
+        if (guessed.is_accepted) fmt::print("{} and {}: {}\n", a.names[t], b.names[s], guessed.verdict);
         const auto found = scans::align_coarsely(a.features[t], b.features[s]);
         most = std::max(most, found.inliers);
         if (!found.is_accepted) continue;
@@ -118,8 +134,8 @@ void bench_wrong_pairs(const std::string& first, const std::string& second, std:
         fine += scans::align_scans(a.prepared[t], b.prepared[s], found.target_from_source).is_accepted ? 1 : 0;
     }
     fmt::print("{} random pairs of scans of two sites: {} passed the features (at most {} inliers), {} the fine "
-               "alignment\n",
-               pairs, coarse, most, fine);
+               "alignment; {} the fine alignment alone, from a wrong guess\n",
+               pairs, coarse, most, fine, guesses);
 }
 
 int run(const std::vector<std::string>& arguments) {

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <utility>
 
 namespace planum::gui {
 
@@ -235,11 +236,15 @@ const Theme& theme() noexcept { return current(); }
 
 void apply_theme(ThemeKind kind) {
     current() = kind == ThemeKind::Light ? light() : kind == ThemeKind::Dark ? dark() : sunlight();
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    // Each of these goes through all widgets, and the window waits for it: only what changes is set, and the style once.
+    static bool has_style = false;
+    if (!std::exchange(has_style, true)) QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(palette_of(theme()));
     QFont font = QApplication::font();
-    font.setPointSizeF(theme().text_points);
-    QApplication::setFont(font);
+    if (font.pointSizeF() != theme().text_points) {
+        font.setPointSizeF(theme().text_points);
+        QApplication::setFont(font);
+    }
     qApp->setStyleSheet(sheet_of(theme()));
 }
 

@@ -28,6 +28,7 @@ struct FineOptions {
     int neighbours = 24;               ///< points that make the plane of a surfel
     double patch = 0.4;                ///< edge of the pieces in which ground votes [m]
     double min_overlap = 0.12;         ///< share of the source with a partner, less is refused
+    double min_stable = 0.5;           ///< share of the judged pieces of ground that stands still, less is refused
     double min_agreement = 0.35;       ///< share of it that agrees where there is ground, less is refused
     double max_sigma_position = 0.02;  ///< of the scanner, in the worst direction [m]; more is refused
     double max_sigma_rotation = 0.01;  ///< about the worst axis [rad]; more is refused

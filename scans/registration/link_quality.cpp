@@ -56,6 +56,21 @@ void measure_overlap(FineResult& result, const PreparedScan& target, const Prepa
     result.agreement = near > 0.0 ? agree / near : 0.0;
 }
 
+/// Of the pieces of ground that both scans see well enough.
+struct StandingGround {
+    int stable = 0;
+    int judged = 0;
+};
+
+StandingGround standing_ground(const FineResult& result) {
+    StandingGround ground;
+    for (const auto& patch : result.patches) {
+        ground.stable += patch.state == PatchState::Stable ? 1 : 0;
+        ground.judged += patch.state != PatchState::Thin ? 1 : 0;
+    }
+    return ground;
+}
+
 // Empty if nothing speaks against the link.
 std::string objection(const FineResult& result, const Rigid3& start, bool has_votes, const FineOptions& options) {
     if (!has_votes) return "too little common ground near the start value";
@@ -72,6 +87,12 @@ std::string objection(const FineResult& result, const Rigid3& start, bool has_vo
     if (result.agreement < options.min_agreement) {
         return fmt::format("where both scans have ground only {:.0f} % of it agrees, {:.0f} % are needed",
                            100.0 * result.agreement, 100.0 * options.min_agreement);
+    }
+    // Scans of two sites may lie upon each other here and there, and even say so firmly; those of one mostly agree.
+    const StandingGround ground = standing_ground(result);
+    if (ground.stable < options.min_stable * ground.judged) {
+        return fmt::format("only {} of {} pieces of ground lie where they lay, {:.0f} % are needed", ground.stable,
+                           ground.judged, 100.0 * options.min_stable);
     }
     const double turn = worst_sigma(result.covariance.topLeftCorner<3, 3>());
     const double shift = worst_sigma(result.covariance.bottomRightCorner<3, 3>());
@@ -206,16 +227,11 @@ void judge_link(FineResult& result, const PreparedScan& target, const PreparedSc
         return;
     }
     result.information = result.covariance.ldlt().solve(Matrix6::Identity());
-    int stable = 0;
-    int judged = 0;
-    for (const auto& patch : result.patches) {
-        stable += patch.state == PatchState::Stable ? 1 : 0;
-        judged += patch.state != PatchState::Thin ? 1 : 0;
-    }
-    result.verdict =
-        fmt::format("aligned on {} of {} pieces of ground, {:.1f} mm rms, σ {:.2f} mm and {:.4f}°", stable, judged,
-                    1000.0 * result.rms, 1000.0 * worst_sigma(result.covariance.bottomRightCorner<3, 3>()),
-                    kDegrees * worst_sigma(result.covariance.topLeftCorner<3, 3>()));
+    const StandingGround ground = standing_ground(result);
+    result.verdict = fmt::format("aligned on {} of {} pieces of ground, {:.1f} mm rms, σ {:.2f} mm and {:.4f}°",
+                                 ground.stable, ground.judged, 1000.0 * result.rms,
+                                 1000.0 * worst_sigma(result.covariance.bottomRightCorner<3, 3>()),
+                                 kDegrees * worst_sigma(result.covariance.topLeftCorner<3, 3>()));
 }
 
 } // namespace planum::scans

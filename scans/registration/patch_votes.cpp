@@ -154,17 +154,25 @@ std::vector<bool> crept_blocks(const PatchMap& map, const std::vector<Offset>& b
 // Of ground that both scans see, less than this would vote: then it did not creep here and there, but a scan is bent,
 // as one is that was taken while the scanner drove. Simulated digs and the real trench keep 79 % and more.
 constexpr double kLeastVoting = 2.0 / 3.0;
+// Bent scans of one place agree by most pieces, those of two places only here and there: bent ones keep 59 % and more.
+constexpr double kLeastStable = 0.5;
 
 bool is_bent(const PatchMap& map, const std::vector<bool>& is_silent) {
+    std::size_t judged = 0;
     std::size_t common = 0;
+    std::size_t stable = 0;
     std::size_t voting = 0;
     for (std::size_t i = 0; i < map.patches.size(); ++i) {
         const PatchState state = map.patches[i].state;
-        if (state != PatchState::Stable && state != PatchState::Shifted) continue;
-        ++common;
+        judged += state != PatchState::Thin ? 1U : 0U;
+        common += state == PatchState::Stable || state == PatchState::Shifted ? 1U : 0U;
+        stable += state == PatchState::Stable ? 1U : 0U;
         voting += state == PatchState::Stable && !is_silent[map.block_of[i]] ? 1U : 0U;
     }
-    return static_cast<double>(voting) < kLeastVoting * static_cast<double>(common);
+    const auto share = [](std::size_t part, std::size_t whole) {
+        return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+    };
+    return share(voting, common) < kLeastVoting && share(stable, judged) >= kLeastStable;
 }
 
 // What one patch alone does not show: ground that leans or creeps together, as beside a heap that grew. Such change has
