@@ -128,7 +128,7 @@ void SceneThread::begin() {
 }
 
 SceneThread::~SceneThread() {
-    give_up();
+    next(); // nothing more of what was asked for is drawn
     if (thread_ == nullptr) {
         worker_->end();
         return;
@@ -176,7 +176,5 @@ std::uint64_t SceneThread::make_still_again(const SceneRenderer::Frame& frame) {
     });
     return number;
 }
-
-void SceneThread::give_up() { next(); }
 
 } // namespace planum::gui

@@ -53,8 +53,6 @@ class SceneThread : public QObject {
     std::uint64_t make_still(std::shared_ptr<const PointSet> points, const SceneRenderer::Frame& frame);
     /// The same points once more: another shading, another ground.
     std::uint64_t make_still_again(const SceneRenderer::Frame& frame);
-    /// Nothing more of what was asked for comes.
-    void give_up();
 
   signals:
     void drawn(const planum::gui::ScenePicture& picture);

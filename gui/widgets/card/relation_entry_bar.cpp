@@ -117,14 +117,6 @@ void RelationEntryBar::go_on(int field) {
 }
 
 bool RelationEntryBar::eventFilter(QObject* watched, QEvent* event) {
-    // An entry in which nothing was typed leaves Ctrl+Z to the record.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto* line = qobject_cast<QLineEdit*>(watched);
-        if (line == nullptr || line->isModified() || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
-            return QWidget::eventFilter(watched, event);
-        event->ignore();
-        return true;
-    }
     if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() != Qt::Key_Return && key->key() != Qt::Key_Enter) return QWidget::eventFilter(watched, event);

@@ -352,29 +352,25 @@ void MainWindow::leave_field() {
     if (QWidget* field = focusWidget()) field->clearFocus();
 }
 
-// As before the window closes: what somebody did a moment ago is saved first; what could not be is asked about.
-void MainWindow::leave_project(std::function<void()> then) {
+// What somebody did a moment ago is saved first, and `again` called then; what could not be is asked about.
+bool MainWindow::may_leave(std::function<void()> again) {
     leave_field();
     if (models_.workspace.is_saving()) {
         statusBar()->showMessage(tr("saving …"));
-        QTimer::singleShot(kLookAgain, this, [this, then = std::move(then)] { leave_project(then); });
-        return;
+        QTimer::singleShot(kLookAgain, this, std::move(again));
+        return false;
     }
     const QStringList unsaved = models_.card.unsaved();
-    if (unsaved.isEmpty() || close_anyway_(this, unsaved)) then();
+    return unsaved.isEmpty() || close_anyway_(this, unsaved);
 }
 
-// What somebody did a moment ago is saved first; what could not be is asked about. Long jobs are stopped and leave the
-// project as it was.
+void MainWindow::leave_project(std::function<void()> then) {
+    if (may_leave([this, then] { leave_project(then); })) then();
+}
+
+// Long jobs are stopped and leave the project as it was.
 void MainWindow::closeEvent(QCloseEvent* event) {
-    leave_field();
-    if (models_.workspace.is_saving()) {
-        statusBar()->showMessage(tr("saving …"));
-        QTimer::singleShot(kLookAgain, this, &QWidget::close);
-        return event->ignore();
-    }
-    const QStringList unsaved = models_.card.unsaved();
-    if (!unsaved.isEmpty() && !close_anyway_(this, unsaved)) return event->ignore();
+    if (!may_leave([this] { close(); })) return event->ignore();
     models_.workspace.jobs().cancel_all();
     event->accept();
 }

@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
   private:
     static bool ask_to_close(QWidget* parent, const QStringList& unsaved);
     void leave_field();
+    [[nodiscard]] bool may_leave(std::function<void()> again);
     void leave_project(std::function<void()> then);
     void make_views();
     void size_docks();
