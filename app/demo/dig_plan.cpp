@@ -254,7 +254,7 @@ double DigPlan::side_height(double x, double y) const noexcept {
     return site.trench.high.z + 0.1 - std::min(from_x, from_y) / kBatter;
 }
 
-SurfaceNo DigPlan::gone_without_baulk(const FormedUnit& formed, UnitNo unit, const Vec3& p) const noexcept {
+SurfaceNo DigPlan::dug_on(const FormedUnit& formed, UnitNo unit, const Vec3& p) const noexcept {
     SurfaceNo gone = out[static_cast<std::size_t>(unit)];
     if (half.cut != kAir && formed.cut == half.cut && formed.form == UnitForm::Fill) {
         const bool first = (p.x - half.x) * half.normal_x + (p.y - half.y) * half.normal_y > 0.0;
@@ -274,9 +274,17 @@ SurfaceNo DigPlan::gone_without_baulk(const FormedUnit& formed, UnitNo unit, con
     return overdug.holds(p) ? std::min(gone, overdug.surface) : gone;
 }
 
-SurfaceNo DigPlan::gone_on(const FormedUnit& formed, UnitNo unit, const Vec3& p) const noexcept {
+SurfaceNo DigPlan::gone_without_baulk(const Formation& formation, UnitNo unit, const Vec3& p) const noexcept {
+    const FormedUnit& formed = formation.units()[static_cast<std::size_t>(unit)];
+    const SurfaceNo gone = dug_on(formed, unit, p);
+    if (formed.kind == UnitKind::Structure) return gone;
+    const UnitNo wall = formation.wall_over(p);
+    return wall == kAir ? gone : std::max(gone, out[static_cast<std::size_t>(wall)]);
+}
+
+SurfaceNo DigPlan::gone_on(const Formation& formation, UnitNo unit, const Vec3& p) const noexcept {
     if (p.z < side_height(p.x, p.y)) return kSide;
-    const SurfaceNo gone = gone_without_baulk(formed, unit, p);
+    const SurfaceNo gone = gone_without_baulk(formation, unit, p);
     return in_baulk(p.x) && gone > 0 && gone < surfaces ? surfaces - 1 : gone;
 }
 

@@ -71,10 +71,14 @@ struct DigPlan {
 
     /// Height below which the side of the trench begins at (x, y).
     [[nodiscard]] double side_height(double x, double y) const noexcept;
-    /// Surface from which on the point, being of that unit, is gone, if there were no baulk.
-    [[nodiscard]] SurfaceNo gone_without_baulk(const FormedUnit& formed, UnitNo unit, const Vec3& p) const noexcept;
+    /// Surface from which on the point, being of that unit, is gone, if there were no baulk. Earth under a wall goes
+    /// with the wall at the earliest: nobody digs away what a wall stands on.
+    [[nodiscard]] SurfaceNo gone_without_baulk(const Formation& formation, UnitNo unit, const Vec3& p) const noexcept;
     /// Surface from which on the point, being of that unit, is gone.
-    [[nodiscard]] SurfaceNo gone_on(const FormedUnit& formed, UnitNo unit, const Vec3& p) const noexcept;
+    [[nodiscard]] SurfaceNo gone_on(const Formation& formation, UnitNo unit, const Vec3& p) const noexcept;
+
+  private:
+    [[nodiscard]] SurfaceNo dug_on(const FormedUnit& formed, UnitNo unit, const Vec3& p) const noexcept;
 };
 
 [[nodiscard]] DigPlan plan_dig(const SiteShape& site, const Formation& formation, const ColumnGrid& grid,

@@ -87,12 +87,11 @@ DugGrid::DugGrid(const ColumnGrid& grid, const Formation& formation, const DigPl
         const double x = grid.x_of(index % grid.columns());
         const double y = grid.y_of(index / grid.columns());
         for (const Run& run : grid.at(index)) {
-            const FormedUnit& formed = formation.units()[static_cast<std::size_t>(run.unit)];
             const std::vector<double> heights = breaks(plan, run, x, y);
             for (std::size_t i = 1; i < heights.size(); ++i) {
                 const Vec3 middle{x, y, 0.5 * (heights[i - 1] + heights[i])};
-                const SurfaceNo gone = plan.gone_on(formed, run.unit, middle);
-                const SurfaceNo due = gone == kSide ? kSide : plan.gone_without_baulk(formed, run.unit, middle);
+                const SurfaceNo gone = plan.gone_on(formation, run.unit, middle);
+                const SurfaceNo due = gone == kSide ? kSide : plan.gone_without_baulk(formation, run.unit, middle);
                 const auto high = static_cast<float>(heights[i - 1]);
                 const auto low = static_cast<float>(heights[i]);
                 const bool continues = runs_.size() > first_.back() && runs_.back().unit == run.unit &&

@@ -63,4 +63,19 @@ Body Formation::body_at(const Vec3& p) const noexcept {
     return body;
 }
 
+UnitNo Formation::wall_over(const Vec3& p) const noexcept {
+    constexpr double kStone = 0.01; // nothing thinner is built [m]
+    for (const std::uint16_t i : events_near(p.x, p.y)) {
+        const FormationEvent& event = events_[i];
+        if (event.type != FormationEvent::Type::Structure || !event.bounds.holds(p.x, p.y)) continue;
+        for (double z = std::max(p.z, event.wall.base) + kStone; z < event.bounds.high.z; z += kStone) {
+            const Vec3 above{p.x, p.y, z};
+            // Whether it was built there at all is asked first: that is quick, what became of it later is not.
+            if (!event.wall.contains(above, true)) continue;
+            if (body_at(above).unit == event.unit) return event.unit;
+        }
+    }
+    return kAir;
+}
+
 } // namespace planum::app::demo

@@ -60,6 +60,9 @@ class Formation {
 
     [[nodiscard]] Body body_at(const Vec3& p) const noexcept;
 
+    /// The structure of which something lies straight above the point, be it earth or stone; kAir: none.
+    [[nodiscard]] UnitNo wall_over(const Vec3& p) const noexcept;
+
     [[nodiscard]] const std::vector<FormedUnit>& units() const noexcept { return units_; }
 
     [[nodiscard]] std::vector<FormedUnit>& units() noexcept { return units_; }

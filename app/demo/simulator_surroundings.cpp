@@ -87,10 +87,7 @@ void Surroundings::mark_cells(const ColumnGrid& grid, const DugGrid& dug) {
 
 bool Surroundings::solid(const Vec3& p) const noexcept {
     const Body body = formation_.body_at(p);
-    if (body.unit != kAir &&
-        plan_.gone_on(formation_.units()[static_cast<std::size_t>(body.unit)], body.unit, p) > surface_) {
-        return true;
-    }
+    if (body.unit != kAir && plan_.gone_on(formation_, body.unit, p) > surface_) return true;
     return surface_ == plan_.slump.surface && plan_.slump.holds(p);
 }
 

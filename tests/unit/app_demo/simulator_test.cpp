@@ -128,9 +128,7 @@ TEST_CASE("Scans hit the surface within their noise") {
                 if (!dig.site.trench.holds(behind.x, behind.y) || behind.z > dig.site.trench.high.z - 0.3) continue;
                 const auto solid = [&](const Vec3& p) {
                     const Body body = dig.formation.body_at(p);
-                    return body.unit != kAir &&
-                           dig.plan.gone_on(dig.formation.units()[static_cast<std::size_t>(body.unit)], body.unit, p) >
-                               surface;
+                    return body.unit != kAir && dig.plan.gone_on(dig.formation, body.unit, p) > surface;
                 };
                 ++inside;
                 INFO("column " << column << ", row " << row);
