@@ -9,6 +9,7 @@
 #include <QThread>
 
 #include <exception>
+#include <functional>
 #include <utility>
 
 #include "core/base/error.hpp"
@@ -28,17 +29,31 @@ class SceneThread::Worker : public QObject {
   public:
     Worker(SceneThread& owner, const QSurfaceFormat& format) : owner_(owner), format_(format) {}
 
+    // Loads the driver, which takes a while the first time, even to ask it whether it may be used in this thread.
     void begin() {
+        if (!QOpenGLContext::supportsThreadedOpenGL() && thread() != owner_.thread()) {
+            moveToThread(owner_.thread()); // what was posted comes along
+            QMetaObject::invokeMethod(
+                this, [this] { begin(); }, Qt::QueuedConnection);
+            return;
+        }
+        context_ = std::make_unique<QOpenGLContext>();
+        context_->setFormat(format_);
+        if (!context_->create()) return give_up({0, 0});
+        QMetaObject::invokeMethod(
+            &owner_, [this] { owner_.make_surface(); }, Qt::QueuedConnection);
+    }
+
+    void go_on_with_surface() {
+        if (!context_->makeCurrent(owner_.surface_.get())) return give_up({0, 0});
+        if (const auto version = context_->format().version(); version < format_.version()) return give_up(version);
         try {
-            context_ = std::make_unique<QOpenGLContext>();
-            context_->setFormat(format_);
-            if (!context_->create() || !context_->makeCurrent(owner_.surface_.get()))
-                throw Error(ErrorCode::Io, "there is no OpenGL here");
             renderer_ = std::make_unique<SceneRenderer>();
             renderer_->initialise();
         } catch (const std::exception& error) {
             fail(error);
         }
+        for (const auto& work : std::exchange(waiting_, {})) work();
     }
 
     void end() {
@@ -53,16 +68,7 @@ class SceneThread::Worker : public QObject {
     template<typename Work>
     void post(Work work) {
         QMetaObject::invokeMethod(
-            this,
-            [this, work = std::move(work)] {
-                if (renderer_ == nullptr) return;
-                try {
-                    work(*renderer_);
-                } catch (const std::exception& error) {
-                    fail(error);
-                }
-            },
-            Qt::QueuedConnection);
+            this, [this, work = std::move(work)] { do_now_or_later(work); }, Qt::QueuedConnection);
     }
 
     void draw(const SceneRenderer::Frame& frame, std::uint64_t number) {
@@ -88,9 +94,33 @@ class SceneThread::Worker : public QObject {
   private:
     [[nodiscard]] QOpenGLExtraFunctions& gl() const { return *context_->extraFunctions(); }
 
+    void do_now_or_later(const std::function<void(SceneRenderer&)>& work) {
+        if (is_over_) return;
+        if (renderer_ == nullptr) {
+            waiting_.emplace_back([this, work] { do_now_or_later(work); });
+            return;
+        }
+        try {
+            work(*renderer_);
+        } catch (const std::exception& error) {
+            fail(error);
+        }
+    }
+
     void fail(const std::exception& error) {
-        renderer_.reset();
+        stop();
         emit owner_.troubled(QString::fromUtf8(error.what()));
+    }
+
+    void give_up(std::pair<int, int> version) {
+        stop();
+        emit owner_.unusable(version.first, version.second);
+    }
+
+    void stop() {
+        renderer_.reset();
+        waiting_.clear();
+        is_over_ = true;
     }
 
     // OpenGL counts rows from below.
@@ -105,21 +135,27 @@ class SceneThread::Worker : public QObject {
     SceneThread& owner_;
     QSurfaceFormat format_;
     std::unique_ptr<QOpenGLContext> context_;
-    std::unique_ptr<SceneRenderer> renderer_; ///< null: nothing can be drawn
+    std::unique_ptr<SceneRenderer> renderer_;    ///< null: not yet, or nothing can be drawn
+    std::vector<std::function<void()>> waiting_; ///< for the renderer
+    bool is_over_ = false;
     GlTarget target_{GlTarget::Depths::With};
 };
 
 SceneThread::SceneThread(const QSurfaceFormat& format)
-    : surface_(std::make_unique<QOffscreenSurface>()), worker_(std::make_unique<Worker>(*this, format)) {
+    : surface_(std::make_unique<QOffscreenSurface>()), thread_(std::make_unique<QThread>()),
+      worker_(std::make_unique<Worker>(*this, format)) {
     qRegisterMetaType<ScenePicture>();
     surface_->setFormat(format);
-    surface_->create(); // platforms want that in the window's thread
-    if (QOpenGLContext::supportsThreadedOpenGL()) {
-        thread_ = std::make_unique<QThread>();
-        thread_->setObjectName(QStringLiteral("3D"));
-        worker_->moveToThread(thread_.get());
-        thread_->start();
-    }
+    thread_->setObjectName(QStringLiteral("3D"));
+    worker_->moveToThread(thread_.get());
+    connect(
+        thread_.get(), &QThread::finished, worker_.get(), [this] { leave(); }, Qt::DirectConnection);
+    thread_->start();
+}
+
+// A context is given up in the thread that used it last.
+void SceneThread::leave() {
+    if (worker_->thread() == QThread::currentThread()) worker_->end();
 }
 
 void SceneThread::begin() {
@@ -127,16 +163,18 @@ void SceneThread::begin() {
         worker_.get(), [this] { worker_->begin(); }, Qt::QueuedConnection);
 }
 
+// Platforms want that in the window's thread; it is quick once the driver is there.
+void SceneThread::make_surface() {
+    surface_->create();
+    QMetaObject::invokeMethod(
+        worker_.get(), [this] { worker_->go_on_with_surface(); }, Qt::QueuedConnection);
+}
+
 SceneThread::~SceneThread() {
     next(); // nothing more of what was asked for is drawn
-    if (thread_ == nullptr) {
-        worker_->end();
-        return;
-    }
-    QMetaObject::invokeMethod(
-        worker_.get(), [this] { worker_->end(); }, Qt::BlockingQueuedConnection);
     thread_->quit();
     thread_->wait();
+    leave();
 }
 
 void SceneThread::set_moving(std::shared_ptr<const PointSet> points) {

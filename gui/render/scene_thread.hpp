@@ -29,7 +29,7 @@ struct ScenePicture {
 /// Draws the scene in a thread of its own, beside the screen: without a graphics card a frame takes a tenth of a second
 /// and its first one longer, and a window must not wait for that. What is asked of it is done in turn; of pictures that
 /// are asked for, only the newest. Where the driver allows OpenGL in one thread only (see
-/// QOpenGLContext::supportsThreadedOpenGL()), the work is done between the window's own.
+/// QOpenGLContext::supportsThreadedOpenGL()), the worker moves to the window's, and the work is done between others.
 class SceneThread : public QObject {
     Q_OBJECT
 
@@ -58,15 +58,20 @@ class SceneThread : public QObject {
     void drawn(const planum::gui::ScenePicture& picture);
     /// Nothing is drawn from now on, and why.
     void troubled(const QString& sentence);
+    /// The display offers less OpenGL than what is asked for: only this version, 0.0 for none. Nothing will be drawn.
+    void unusable(int major, int minor);
 
   private:
     class Worker;
 
     std::uint64_t next() { return ++newest_; }
 
+    void make_surface();
+    void leave();
+
     std::atomic<std::uint64_t> newest_{0};
     std::unique_ptr<QOffscreenSurface> surface_;
-    std::unique_ptr<QThread> thread_; ///< null: the work is done in the window's own
+    std::unique_ptr<QThread> thread_;
     std::unique_ptr<Worker> worker_;
 };
 

@@ -61,7 +61,8 @@ void settle(SpaceCanvas& canvas, JobRunner& jobs, const QString& trouble) {
 int write_flight(Models& models, const FlightRequest& request, const std::function<void(int, int)>& said) {
     const std::vector<Camera> cameras = read_flight(request.cameras);
     if (cameras.empty()) throw Error(ErrorCode::BadInput, request.cameras.string() + ": no cameras to fly along");
-    if (const QString trouble = opengl_trouble(); !trouble.isEmpty()) throw Error(ErrorCode::Io, trouble.toStdString());
+    if (const QString trouble = display_trouble(); !trouble.isEmpty())
+        throw Error(ErrorCode::Io, trouble.toStdString());
     make_folder(request.folder);
     go_to_surface(models.time, request.surface);
 
@@ -71,6 +72,7 @@ int write_flight(Models& models, const FlightRequest& request, const std::functi
     QString trouble;
     const auto note = [&](const QString& sentence) { trouble = sentence; };
     QObject::connect(&canvas, &SpaceCanvas::troubled, &canvas, note);
+    QObject::connect(&canvas, &SpaceCanvas::unusable, &canvas, note);
     canvas.set_colour(request.colour);
     DifferenceModel difference(models.workspace, models.time);
     QObject::connect(&difference, &DifferenceModel::changed, &canvas,

@@ -2,10 +2,6 @@
 #include "gui/widgets/space/opengl_here.hpp"
 
 #include <QGuiApplication>
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
-
-#include <utility>
 
 #include "gui/widgets/space/space_canvas.hpp"
 
@@ -19,30 +15,21 @@ QSurfaceFormat opengl_format() {
     return format;
 }
 
-QString opengl_trouble() {
-    // Qt's platforms without a screen may well hand out a context, yet none that a widget can draw with.
-    if (const QString platform = QGuiApplication::platformName();
-        platform == QLatin1String("offscreen") || platform == QLatin1String("minimal")) {
-        return SpaceCanvas::tr("The 3D view needs a display; the program runs without one (%1). All other views work.")
-            .arg(platform);
-    }
-    QOffscreenSurface surface;
-    surface.setFormat(opengl_format());
-    surface.create();
-    QOpenGLContext context;
-    context.setFormat(opengl_format());
-    if (!context.create() || !context.makeCurrent(&surface)) {
+QString display_trouble() {
+    const QString platform = QGuiApplication::platformName();
+    if (platform != QLatin1String("offscreen") && platform != QLatin1String("minimal")) return {};
+    return SpaceCanvas::tr("The 3D view needs a display; the program runs without one (%1). All other views work.")
+        .arg(platform);
+}
+
+QString opengl_trouble(int major, int minor) {
+    if (major == 0) {
         return SpaceCanvas::tr(
             "The 3D view needs OpenGL 3.3, which this display does not offer. All other views work.");
     }
-    const auto version = context.format().version();
-    context.doneCurrent();
-    if (version < std::pair(3, 3)) {
-        return SpaceCanvas::tr("The 3D view needs OpenGL 3.3; there is %1.%2 here. All other views work.")
-            .arg(version.first)
-            .arg(version.second);
-    }
-    return {};
+    return SpaceCanvas::tr("The 3D view needs OpenGL 3.3; there is %1.%2 here. All other views work.")
+        .arg(major)
+        .arg(minor);
 }
 
 } // namespace planum::gui

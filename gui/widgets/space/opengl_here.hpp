@@ -9,7 +9,11 @@ namespace planum::gui {
 /// What the 3D view draws with.
 [[nodiscard]] QSurfaceFormat opengl_format();
 
-/// Why OpenGL 3.3 cannot be used here; empty where it can.
-[[nodiscard]] QString opengl_trouble();
+/// Why there cannot be OpenGL here whatever the driver; empty where there can. Qt's platforms without a screen may well
+/// hand out a context, yet none that a widget can draw with.
+[[nodiscard]] QString display_trouble();
+
+/// That the display offers only this version, 0.0 for none (SceneThread::unusable).
+[[nodiscard]] QString opengl_trouble(int major, int minor);
 
 } // namespace planum::gui

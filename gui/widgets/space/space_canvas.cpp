@@ -55,10 +55,12 @@ SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
     connect(&settle_, &QTimer::timeout, this, [this] { ask_for_points(SceneRenderer::Slot::Still); });
     connect(&scene_, &SceneThread::drawn, this, &SpaceCanvas::take_picture);
     connect(&scene_, &SceneThread::troubled, this, [this](const QString& sentence) {
-        broken_ = true; // no picture is on its way
-        set_busy(false);
-        flight_.stop();
+        stop_waiting();
         emit troubled(sentence);
+    });
+    connect(&scene_, &SceneThread::unusable, this, [this](int major, int minor) {
+        stop_waiting();
+        emit unusable(opengl_trouble(major, minor));
     });
     scene_.begin();
     connect(&flight_, &FlightWriter::wanted, this, &SpaceCanvas::show_frame);
@@ -67,6 +69,13 @@ SpaceCanvas::SpaceCanvas(Workspace& workspace, SpaceModel& space)
     connect(&workspace_, &Workspace::snapshotChanged, this, [this] {
         if (colour_ == PointColour::Unit && !flight_.is_flying()) set_colour(colour_);
     });
+}
+
+// No picture is on its way, and none will be.
+void SpaceCanvas::stop_waiting() {
+    broken_ = true;
+    set_busy(false);
+    flight_.stop();
 }
 
 void SpaceCanvas::set_busy(bool busy) { setProperty("busy", busy && !broken_); }

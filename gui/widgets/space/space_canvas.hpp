@@ -71,6 +71,8 @@ class SpaceCanvas : public QWidget {
     /// Two places were clicked with Shift: what lies between them.
     void measured(double distance, double rise);
     void troubled(const QString& sentence);
+    /// There is no OpenGL that this could draw with; nothing ever comes.
+    void unusable(const QString& sentence);
     /// Another picture is there.
     void framed();
 
@@ -87,6 +89,7 @@ class SpaceCanvas : public QWidget {
 
   private:
     void set_busy(bool busy);
+    void stop_waiting();
 
     enum class StillPicture { None, Made, Shown };
 

@@ -45,28 +45,38 @@ std::vector<SceneLine> section_marks(const Eigen::Vector3d& from, const Eigen::V
 
 SpaceView::SpaceView(Models& models)
     : models_(models), space_(models.workspace, models.time), difference_(models.workspace, models.time),
-      column_(new QVBoxLayout(this)), said_(new QLabel) {
+      said_(new QLabel) {
     setObjectName(QStringLiteral("3d"));
-    column_->setContentsMargins(0, 0, 0, 0);
-    column_->setSpacing(0);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
     said_->setObjectName(QStringLiteral("spaceSaid"));
     said_->setProperty("role", "faint");
     said_->setContentsMargins(8, 4, 8, 4);
     said_->setText(tr("Drag to turn, right button to move, wheel to come nearer; a click says the place."));
 }
 
-// Made when somebody looks for the first time: a program on a machine without OpenGL never asks for it.
+// Made when somebody looks for the first time: a program whose 3D nobody looks at never asks for OpenGL.
+void SpaceView::make_scene() {
+    scene_ = new QWidget(this);
+    layout()->addWidget(scene_);
+    if (const QString trouble = display_trouble(); !trouble.isEmpty()) return say_unusable(trouble);
+    make_canvas();
+}
+
+// Whether there is OpenGL turns out in the thread that draws, when all this stands.
+void SpaceView::say_unusable(const QString& why) {
+    usable_ = false;
+    space_.set_watched(false);
+    difference_.set_watched(false);
+    scene_->hide();
+    auto* label = new QLabel(why);
+    label->setObjectName(QStringLiteral("spaceTrouble"));
+    label->setAlignment(Qt::AlignCenter);
+    label->setWordWrap(true);
+    layout()->addWidget(label);
+}
+
 void SpaceView::make_canvas() {
-    tried_ = true;
-    const QString trouble = opengl_trouble();
-    if (!trouble.isEmpty()) {
-        auto* why = new QLabel(trouble);
-        why->setObjectName(QStringLiteral("spaceTrouble"));
-        why->setAlignment(Qt::AlignCenter);
-        why->setWordWrap(true);
-        column_->addWidget(why, 1);
-        return;
-    }
     canvas_ = new SpaceCanvas(models_.workspace, space_);
     compared_ = new DifferenceBar(difference_);
     box_ = new BoxPanel;
@@ -75,17 +85,20 @@ void SpaceView::make_canvas() {
     cameras_->setParent(this);
     cameras_->setObjectName(QStringLiteral("flightCameras"));
     contents_ = new ContentsPanel(space_.contents());
-    column_->addWidget(make_bar());
-    column_->addWidget(compared_);
-    column_->addWidget(box_);
-    column_->addWidget(section_);
+    auto* column = new QVBoxLayout(scene_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(make_bar());
+    column->addWidget(compared_);
+    column->addWidget(box_);
+    column->addWidget(section_);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(6);
     middle->addWidget(contents_);
     middle->addWidget(canvas_, 1);
-    column_->addLayout(middle, 1);
+    column->addLayout(middle, 1);
     said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long sentence does not widen the window
-    column_->addWidget(said_);
+    column->addWidget(said_);
     compared_->hide();
     box_->hide();
     contents_->hide();
@@ -112,6 +125,7 @@ void SpaceView::make_canvas() {
     connect(cameras_, &FlightCameras::troubled, &models_.workspace, &Workspace::failed);
     connect(&flight, &FlightWriter::troubled, &models_.workspace, &Workspace::failed);
     connect(canvas_, &SpaceCanvas::troubled, &models_.workspace, &Workspace::failed);
+    connect(canvas_, &SpaceCanvas::unusable, this, &SpaceView::say_unusable);
 }
 
 QWidget* SpaceView::make_bar() {
@@ -174,7 +188,7 @@ void SpaceView::make_colours() {
 }
 
 void SpaceView::show_colour(PointColour colour) {
-    if (canvas_ == nullptr) return;
+    if (canvas() == nullptr) return;
     colour_->setCurrentIndex(colour_->findData(static_cast<int>(colour)));
     compared_->setVisible(colour == PointColour::Difference);
     watch_difference();
@@ -183,7 +197,7 @@ void SpaceView::show_colour(PointColour colour) {
 
 // Surfaces are compared while somebody looks at the difference.
 void SpaceView::watch_difference() {
-    difference_.set_watched(isVisible() && compared_ != nullptr && !compared_->isHidden());
+    difference_.set_watched(isVisible() && canvas() != nullptr && !compared_->isHidden());
 }
 
 QToolButton* SpaceView::make_section_button() {
@@ -263,8 +277,8 @@ void SpaceView::ask_flight() {
 
 void SpaceView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    if (!tried_) make_canvas();
-    space_.set_watched(canvas_ != nullptr);
+    if (scene_ == nullptr) make_scene();
+    space_.set_watched(canvas() != nullptr);
     watch_difference();
 }
 

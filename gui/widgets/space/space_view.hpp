@@ -10,7 +10,6 @@
 class QComboBox;
 class QLabel;
 class QToolButton;
-class QVBoxLayout;
 
 namespace planum::gui {
 
@@ -30,7 +29,7 @@ class SpaceView : public QWidget {
     explicit SpaceView(Models& models);
 
     /// Null where there is no OpenGL, or nobody has looked yet.
-    [[nodiscard]] SpaceCanvas* canvas() const noexcept { return canvas_; }
+    [[nodiscard]] SpaceCanvas* canvas() const noexcept { return usable_ ? canvas_ : nullptr; }
 
     /// Colours the points so; nothing happens where there is no canvas.
     void show_colour(PointColour colour);
@@ -41,7 +40,9 @@ class SpaceView : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    void make_scene();
     void make_canvas();
+    void say_unusable(const QString& why);
     QWidget* make_bar();
     void make_colours();
     void watch_difference();
@@ -60,9 +61,9 @@ class SpaceView : public QWidget {
     SectionLineBar* section_ = nullptr;
     FlightCameras* cameras_ = nullptr;
     ContentsPanel* contents_ = nullptr;
-    QVBoxLayout* column_;
+    QWidget* scene_ = nullptr; ///< all that is of use where there is OpenGL only; null: nobody has looked yet
     QLabel* said_;
-    bool tried_ = false;
+    bool usable_ = true;
 };
 
 } // namespace planum::gui
