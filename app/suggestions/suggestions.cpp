@@ -108,9 +108,11 @@ class RecordedOrder {
     std::vector<std::vector<strat::NodeIndex>> below_;
 };
 
-// The record has the relation; where only the order is proposed, any path will do.
+// The record has the relation; where only the order is proposed, any path will do, unless another one says the
+// opposite: in a cycle everything lies above everything, and what surfaces show is needed most.
 bool is_recorded(const model::Record& record, const RecordedOrder& recorded, const Suggestion& s) {
-    if (s.kind == model::RelationKind::Later) return recorded.is_above(s.unit, s.other);
+    if (s.kind == model::RelationKind::Later)
+        return recorded.is_above(s.unit, s.other) && !recorded.is_above(s.other, s.unit);
     return std::any_of(record.relations.begin(), record.relations.end(), [&](const model::PhysicalRelation& r) {
         return r.subject == s.unit && r.object == s.other && r.kind == s.kind;
     });
@@ -145,8 +147,12 @@ Suggestion suggestion_of(const model::Record& record, const model::RecordIndex& 
     s.id = id_of(record, index, s);
     s.state = state_of(record, recorded, s);
     if (s.type == SuggestionType::Relation && s.state == SuggestionState::Open && recorded.is_above(s.other, s.unit)) {
-        s.reason += fmt::format("; the record puts {} above {}: one of the two is wrong", index.name(s.other),
-                                index.name(s.unit));
+        const std::string unit = index.name(s.unit);
+        const std::string other = index.name(s.other);
+        s.reason += recorded.is_above(s.unit, s.other)
+                        ? fmt::format("; the record has {} above {} and {} above {}: one of the two is wrong", unit,
+                                      other, other, unit)
+                        : fmt::format("; the record puts {} above {}: one of the two is wrong", other, unit);
     }
     return s;
 }

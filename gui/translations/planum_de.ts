@@ -5018,6 +5018,10 @@ Bitte den Namen prüfen.</translation>
         <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (Finds and lists › Surfaces › Place in time)</source>
         <translation>Am %1 lagen %2 m² von %3 bei %4 in %5 bis %6 m Höhe %7 m höher als am %8; das ist der spätere Tag, steht in der Folge der Flächen aber zuerst: die Flächen in ihre Folge bringen (Funde und Listen › Flächen › Platz in der Zeit)</translation>
     </message>
+    <message>
+        <source>%1; the record has %2 above %3 and %4 above %5: one of the two is wrong</source>
+        <translation>%1; die Aufnahme hat %2 über %3 und %4 über %5: eines von beiden ist falsch</translation>
+    </message>
 </context>
 <context>
     <name>services</name>

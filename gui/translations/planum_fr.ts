@@ -5012,6 +5012,10 @@ Please verify the correct directory name was given.</source>
         <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (Finds and lists › Surfaces › Place in time)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1; the record has %2 above %3 and %4 above %5: one of the two is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>services</name>

@@ -206,6 +206,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences",
                       "on %1 %2 of %3 lay where %4 had been on %5, but only along the outlines: did they touch there?"),
     QT_TRANSLATE_NOOP("sentences", "%1; the record puts %2 above %3: one of the two is wrong"),
+    QT_TRANSLATE_NOOP("sentences", "%1; the record has %2 above %3 and %4 above %5: one of the two is wrong"),
     QT_TRANSLATE_NOOP("sentences", "%1 January %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 February %2"),
     QT_TRANSLATE_NOOP("sentences", "%1 March %2"),

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/suggestions/suggestions.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -123,6 +125,39 @@ TEST_CASE("A surface with a first day alone is one of that day") {
     CHECK(s.kind == model::RelationKind::Later);
     CHECK(app::concerns_day(project.record(), s, "2025-06-02"));
     CHECK_THAT(s.reason, Catch::StartsWith("on 2 June 2025"));
+}
+
+TEST_CASE("Where the record says both orders, what surfaces show is still proposed") {
+    const test::TemporaryFolder folder;
+    app::Project project = two_days(folder);
+    const auto unit = [&](const std::string& number) {
+        const auto& units = project.record().units;
+        return std::find_if(units.begin(), units.end(), [&](const auto& one) { return one.number == number; })->id;
+    };
+    const model::UnitId one = unit("1");
+    const model::UnitId two = unit("2");
+    project.change("1 covers 4, 4 covers 2, 2 covers 1; 9 came and went between", [&] {
+        model::StratigraphicUnit hidden;
+        hidden.number = "9";
+        hidden.excavated_on = "2025-06-02";
+        project.file().insert(hidden);
+        model::StratigraphicUnit other;
+        other.number = "4";
+        other.id = project.file().insert(other);
+        for (const auto& [later, earlier] : {std::pair{one, other.id}, std::pair{other.id, two}, std::pair{two, one}}) {
+            model::PhysicalRelation relation;
+            relation.subject = later;
+            relation.kind = model::RelationKind::Covers;
+            relation.object = earlier;
+            project.file().insert(relation);
+        }
+    });
+    const auto list = app::list_suggestions(project, Progress::none());
+    REQUIRE(list.suggestions.size() == 1);
+    const model::Suggestion& s = list.suggestions.front();
+    CHECK(s.kind == model::RelationKind::Later);
+    CHECK(s.state == model::SuggestionState::Open);
+    CHECK_THAT(s.reason, Catch::EndsWith("; the record has 1 above 2 and 2 above 1: one of the two is wrong"));
 }
 
 TEST_CASE("What was found of two surfaces is kept, and judged again where an outline changed") {
