@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The window: how soon a large project can be worked on, how long the window is deaf meanwhile, frames of 3D while the
 // camera moves and points once it stands still. Wants a display: xvfb-run -s "-screen 0 1680x1100x24".
-// Then zooming and moving in matrix and panorama.
+// Then zooming and moving in matrix and panorama, and another theme.
 // Usage: bench_desktop [MILLION_POINTS [FOLDER [UNITS]]]: points of the scans (8), units (5000); the project is made in
 // FOLDER, or taken from there where an earlier run left it, because 100 million points take minutes to add.
 #include <QApplication>
@@ -279,6 +279,22 @@ void measure_moving_about(MainWindow& window, const char* view, const char* canv
                frames.size(), frames[frames.size() / 2], frames.back());
 }
 
+// With all views made and seen, as late in the day.
+void measure_themes(MainWindow& window) {
+    for (const char* view : {"section", "plan", "records", "scans", "today", "history", "suggestions", "problems"}) {
+        window.show_view(view);
+        seconds_until([&] { return window.models().workspace.jobs().is_idle(); });
+    }
+    for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Sunlight, ThemeKind::Light}) {
+        Pulse pulse;
+        QElapsedTimer timer;
+        timer.start();
+        QTimer::singleShot(0, qApp, [kind] { apply_theme(kind, StyledParts::Pace::InTurns); });
+        seconds_until([&] { return timer.elapsed() > 500; });
+        fmt::print("theme {}: longest time without an answer: {} ms\n", to_word(kind).toStdString(), pulse.longest());
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -310,5 +326,6 @@ int main(int argc, char** argv) {
     measure_space(window);
     measure_moving_about(window, "matrix", "matrixCanvas");
     measure_moving_about(window, "panorama", "panoramaCanvas");
+    measure_themes(window);
     return 0;
 }

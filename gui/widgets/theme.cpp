@@ -6,8 +6,10 @@
 #include <QImage>
 #include <QPainter>
 #include <QPalette>
+#include <QPointer>
 #include <QPolygonF>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -150,7 +152,6 @@ QSplitter::handle:vertical { height: 12px; }
 
 QString sheet_of(const Theme& t) {
     QString sheet = QStringLiteral(R"(
-QMainWindow::separator { background: %edge; width: 1px; height: 1px; }
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
 QDockWidget::title { padding: 6px 10px; background: %window; }
 QToolBar { border: none; border-bottom: 1px solid %edge; spacing: 4px; padding: 4px 8px; background: %window; }
@@ -218,6 +219,23 @@ QFrame[role="line"] { background: %edge; max-height: 1px; min-height: 1px; borde
     return sheet;
 }
 
+// What of the window itself is drawn by no style sheet (see StyledParts).
+class WindowStyle : public QProxyStyle {
+  public:
+    WindowStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+        return metric == PM_DockWidgetSeparatorExtent ? 1 : QProxyStyle::pixelMetric(metric, option, widget);
+    }
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        if (element != PE_IndicatorDockWidgetResizeHandle)
+            return QProxyStyle::drawPrimitive(element, option, painter, widget);
+        painter->fillRect(option->rect, theme().edge);
+    }
+};
+
 } // namespace
 
 QColor Theme::drawn(std::uint32_t rgb) const {
@@ -234,18 +252,20 @@ QColor Theme::drawn(std::uint32_t rgb) const {
 
 const Theme& theme() noexcept { return current(); }
 
-void apply_theme(ThemeKind kind) {
+void apply_theme(ThemeKind kind, StyledParts::Pace pace) {
     current() = kind == ThemeKind::Light ? light() : kind == ThemeKind::Dark ? dark() : sunlight();
-    // Each of these goes through all widgets, and the window waits for it: only what changes is set, and the style once.
+    // Each of these goes through all widgets, and the window waits for it: only what changes is set, and the style
+    // once.
     static bool has_style = false;
-    if (!std::exchange(has_style, true)) QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (!std::exchange(has_style, true)) QApplication::setStyle(new WindowStyle);
     QApplication::setPalette(palette_of(theme()));
     QFont font = QApplication::font();
     if (font.pointSizeF() != theme().text_points) {
         font.setPointSizeF(theme().text_points);
         QApplication::setFont(font);
     }
-    qApp->setStyleSheet(sheet_of(theme()));
+    static const QPointer<StyledParts> parts = new StyledParts(qApp);
+    parts->set_sheet(sheet_of(theme()), pace);
 }
 
 QString to_word(ThemeKind kind) {

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "gui/widgets/styled_parts.hpp"
+
 namespace planum::gui {
 
 /// How the window looks: on a desk by day, in the dark, or on a tablet in the sun (black on white, larger, no greys).
@@ -38,7 +40,7 @@ struct Theme {
 [[nodiscard]] const Theme& theme() noexcept;
 
 /// Sets palette, font and style of the whole program. Before that, theme() is the light one.
-void apply_theme(ThemeKind kind);
+void apply_theme(ThemeKind kind, StyledParts::Pace pace = StyledParts::Pace::AtOnce);
 
 [[nodiscard]] QString to_word(ThemeKind kind);
 [[nodiscard]] ThemeKind theme_from_word(const QString& word) noexcept;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "gui/widgets/history/history_panel.hpp"
 
+#include <QEvent>
 #include <QHeaderView>
+#include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -9,6 +11,7 @@
 #include "gui/viewmodels/log_words.hpp"
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/row_height.hpp"
 #include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
@@ -22,7 +25,7 @@ HistoryPanel::HistoryPanel(Models& models) : models_(models), table_(new QTableW
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setShowGrid(false);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(theme().touch - 4);
+    keep_row_height(*table_, 4);
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->setColumnWidth(0, 150);
@@ -52,10 +55,26 @@ void HistoryPanel::fill() {
             QFont font = item->font();
             font.setStrikeOut(change.undone && at == 2);
             item->setFont(font);
-            if (change.undone || at < 2) item->setForeground(theme().faint);
             table_->setItem(row, at++, item);
         }
     }
+    colour();
+}
+
+// What was taken back is faint, and so are when and who.
+void HistoryPanel::colour() {
+    const QSignalBlocker quiet(table_->model()); // each item would have the table painted again
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const bool undone = table_->item(row, 2)->font().strikeOut();
+        for (int column = 0; column < (undone ? 3 : 2); ++column)
+            table_->item(row, column)->setForeground(theme().faint);
+    }
+    table_->viewport()->update();
+}
+
+void HistoryPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) colour();
 }
 
 } // namespace planum::gui

@@ -16,8 +16,12 @@ class HistoryPanel : public QWidget {
   public:
     explicit HistoryPanel(Models& models);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     void fill();
+    void colour();
 
     Models& models_;
     QTableWidget* table_;

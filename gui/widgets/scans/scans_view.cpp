@@ -16,6 +16,7 @@
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/service_sentences.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/row_height.hpp"
 #include "gui/widgets/theme.hpp"
 
 namespace planum::gui {
@@ -48,7 +49,7 @@ ScansView::ScansView(Models& models)
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setShowGrid(false);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(theme().touch - 4);
+    keep_row_height(*table_, 4);
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));

@@ -15,6 +15,7 @@
 
 #include "gui/viewmodels/models.hpp"
 #include "gui/viewmodels/words.hpp"
+#include "gui/widgets/row_height.hpp"
 #include "gui/widgets/signs.hpp"
 #include "gui/widgets/theme.hpp"
 
@@ -83,7 +84,7 @@ UnitPanel::UnitPanel(Models& models)
     table_->setWordWrap(false);
     table_->setTabKeyNavigation(false);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(theme().touch - 2);
+    keep_row_height(*table_, 2);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->horizontalHeader()->setSectionResizeMode(UnitListModel::Title, QHeaderView::Stretch);

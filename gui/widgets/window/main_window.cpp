@@ -18,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTextDocument>
@@ -26,6 +27,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <initializer_list>
 #include <utility>
 
 #include "gui/viewmodels/dock_sizes.hpp"
@@ -86,6 +88,9 @@ MainWindow::MainWindow(const app::Session& session)
     show_either();
     tabs_->setDocumentMode(true);
     setCentralWidget(middle);
+    // So large that a change of the theme would keep them busy for too long.
+    for (QWidget* whole : std::initializer_list<QWidget*>{this, middle, tabs_, tabs_->findChild<QStackedWidget*>()})
+        StyledParts::in_parts(*whole);
     make_actions();
     make_views();
     make_status();
@@ -216,7 +221,7 @@ void MainWindow::make_actions() {
     QMenu* looks = menuBar()->addMenu(tr("Theme"));
     for (const auto& [kind, text] : {std::pair{ThemeKind::Light, tr("Light")}, std::pair{ThemeKind::Dark, tr("Dark")},
                                      std::pair{ThemeKind::Sunlight, tr("Sunlight")}}) {
-        looks->addAction(text, this, [kind = kind] { apply_theme(kind); });
+        looks->addAction(text, this, [kind = kind] { apply_theme(kind, StyledParts::Pace::InTurns); });
     }
     fill_languages(*menuBar()->addMenu(tr("Language")));
     QAction* keys = action("shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1));

@@ -82,14 +82,16 @@ std::string library_of(const std::string& header) {
         {std::regex("Q(OpenGLWidget|.*Widget|MainWindow|.*Dialog|MessageBox|Application|.*View|.*Button|.*Edit|"
                     "ComboBox|CheckBox|.*SpinBox|Slider|Splitter|ScrollArea|AbstractScrollArea|(.*Box|Grid|Form|"
                     "Stacked)?Layout|Menu|MenuBar|"
-                    "ToolBar|ToolTip|StatusBar|Label|Frame|Completer|Style|StyleFactory|.*ItemDelegate|HeaderView|"
+                    "ToolBar|ToolTip|StatusBar|Label|Frame|Completer|Style|ProxyStyle|StyleFactory|StyleOption|.*"
+                    "ItemDelegate|HeaderView|"
                     "ProgressBar|Shortcut|ScrollBar|ScrollerProperties|Scroller|GraphicsItem|GraphicsScene)"),
          "qtwidgets"},
         {std::regex("QOpenGL.*"), "opengl"},
         {std::regex("Q(Object|String|StringList|Abstract.*Model|ModelIndex|SortFilterProxyModel|Timer|Thread.*|Variant|"
                     "Hash|List|DateTime|Date|Settings|StandardPaths|File|FileInfo|FileSystemWatcher|Dir|Event|"
                     "EventLoop|CoreApplication|Pointer|MetaObject|Point|PointF|Rect|RectF|Size|SizeF|Locale|"
-                    "Translator|RegularExpression|ElapsedTimer|LockFile|CryptographicHash|XmlStreamReader|Url|Mutex|"
+                    "Translator|RegularExpression|ElapsedTimer|SignalBlocker|LockFile|CryptographicHash|"
+                    "XmlStreamReader|Url|Mutex|"
                     "ByteArray|LibraryInfo|t)|Qt[A-"
                     "Z].*|Qt"),
          "qtcore"},
