@@ -111,11 +111,12 @@ class RecordedOrder {
 // The record has the relation; where only the order is proposed, any path will do, unless another one says the
 // opposite: in a cycle everything lies above everything, and what surfaces show is needed most.
 bool is_recorded(const model::Record& record, const RecordedOrder& recorded, const Suggestion& s) {
-    if (s.kind == model::RelationKind::Later)
-        return recorded.is_above(s.unit, s.other) && !recorded.is_above(s.other, s.unit);
-    return std::any_of(record.relations.begin(), record.relations.end(), [&](const model::PhysicalRelation& r) {
-        return r.subject == s.unit && r.object == s.other && r.kind == s.kind;
-    });
+    const bool stated =
+        std::any_of(record.relations.begin(), record.relations.end(), [&](const model::PhysicalRelation& r) {
+            return r.subject == s.unit && r.object == s.other && r.kind == s.kind;
+        });
+    if (stated || s.kind != model::RelationKind::Later) return stated;
+    return recorded.is_above(s.unit, s.other) && !recorded.is_above(s.other, s.unit);
 }
 
 SuggestionState state_of(const model::Record& record, const RecordedOrder& recorded, const Suggestion& s) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -158,6 +159,9 @@ TEST_CASE("Where the record says both orders, what surfaces show is still propos
     CHECK(s.kind == model::RelationKind::Later);
     CHECK(s.state == model::SuggestionState::Open);
     CHECK_THAT(s.reason, Catch::EndsWith("; the record has 1 above 2 and 2 above 1: one of the two is wrong"));
+    app::accept_suggestions(project, std::vector{s.id}, Progress::none());
+    CHECK(app::list_suggestions(project, Progress::none()).suggestions.front().state ==
+          model::SuggestionState::Accepted);
 }
 
 TEST_CASE("What was found of two surfaces is kept, and judged again where an outline changed") {
