@@ -65,7 +65,7 @@ class Gatherer {
 
   private:
     [[nodiscard]] scans::SurfaceGrid heights(const model::Surface& surface) const {
-        return cached_surface(project_, surface.id, area_.frame, surface_key(record_, surface.id, area_.frame),
+        return seen_surface(project_, surface.id, area_.frame, surface_key(record_, surface.id, area_.frame),
                               progress_);
     }
 

@@ -126,7 +126,8 @@ class AreaGround {
         if (auto kept = read_kept(file)) return std::move(*kept);
         std::vector<GroundAlteration> all;
         try {
-            const KeptSurface here = kept_surface(project_, surface.id, area_.frame, heights, progress_);
+            KeptSurface here = kept_surface(project_, surface.id, area_.frame, heights, progress_);
+            scans::put_back(here.grid, here.as_seen);
             const std::vector<std::int32_t> region = drawn_cells(drawn);
             for (const scans::DisputedPatch& patch : here.disputed) {
                 const scans::AlteredPatch inside = scans::patch_inside(here.grid, patch.cells, region);
@@ -138,7 +139,7 @@ class AreaGround {
                 all.back().higher_scan = patch.higher;
             }
             if (before != nullptr) {
-                const scans::SurfaceGrid was = cached_surface(project_, before->id, area_.frame, former, progress_);
+                const scans::SurfaceGrid was = seen_surface(project_, before->id, area_.frame, former, progress_);
                 scans::RiseRules rules;
                 rules.tolerance = record_.settings.tolerance;
                 for (const scans::AlteredPatch& patch : scans::risen_ground(was, here.grid, region, rules))

@@ -238,7 +238,7 @@ class AreaWork {
     [[nodiscard]] scans::SurfaceGrid heights(std::size_t i) {
         if (keys_[i].heights.empty() || is_broken(i)) return nothing_seen();
         try {
-            return cached_surface(project_, surfaces_[i]->id, frame_, keys_[i].heights, progress_);
+            return seen_surface(project_, surfaces_[i]->id, frame_, keys_[i].heights, progress_);
         } catch (const Error& e) {
             if (e.code() == ErrorCode::Cancelled) throw;
             broken_.insert(i);

@@ -92,7 +92,7 @@ RecordedSurface recorded_surface(Project& project, const model::Surface& surface
     const model::Record& record = project.record();
     RecordedSurface result = surface_without_heights(record, surface);
     const scans::GridFrame frame = frame_of_area(record, surface.area, cell);
-    result.grid = cached_surface(project, surface.id, frame, surface_key(record, surface.id, frame), progress);
+    result.grid = kept_surface(project, surface.id, frame, surface_key(record, surface.id, frame), progress).grid;
     return result;
 }
 

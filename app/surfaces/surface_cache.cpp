@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kVersion = "planum surface grid 5\n";
+constexpr std::string_view kVersion = "planum surface grid 6\n";
 
 template<class Value>
 void append(std::string& bytes, const std::vector<Value>& values) {
@@ -77,6 +77,8 @@ std::string to_bytes(const KeptSurface& surface) {
     append(bytes, grid.side_east);
     append(bytes, grid.side_north);
     append(bytes, grid.ceiling);
+    append(bytes, std::vector{static_cast<std::uint64_t>(surface.as_seen.size())});
+    append(bytes, surface.as_seen);
     bytes += text_of(surface.disputed);
     return bytes;
 }
@@ -84,7 +86,9 @@ std::string to_bytes(const KeptSurface& surface) {
 std::optional<KeptSurface> read_cached(const fs::path& file, const scans::GridFrame& frame) {
     const std::optional<std::string> kept = read_sealed(file);
     const std::size_t n = frame.cells();
-    if (!kept || kept->size() < kVersion.size() + n * kBytesOfCell || !kept->starts_with(kVersion)) return std::nullopt;
+    if (!kept || kept->size() < kVersion.size() + n * kBytesOfCell + sizeof(std::uint64_t) ||
+        !kept->starts_with(kVersion))
+        return std::nullopt;
     std::string_view bytes = *kept;
     bytes.remove_prefix(kVersion.size());
     KeptSurface surface;
@@ -99,6 +103,10 @@ std::optional<KeptSurface> read_cached(const fs::path& file, const scans::GridFr
     take(bytes, grid.side_east, n);
     take(bytes, grid.side_north, n);
     take(bytes, grid.ceiling, n);
+    std::vector<std::uint64_t> cells;
+    take(bytes, cells, 1);
+    if (cells[0] > n || bytes.size() < cells[0] * sizeof(scans::CellAsSeen)) return std::nullopt;
+    take(bytes, surface.as_seen, static_cast<std::size_t>(cells[0]));
     std::optional<std::vector<scans::DisputedPatch>> disputed = disputed_from(bytes, n);
     if (!disputed) return std::nullopt;
     surface.disputed = std::move(*disputed);
@@ -144,14 +152,16 @@ KeptSurface kept_surface(Project& project, model::SurfaceId surface, const scans
     options.tolerance = project.record().settings.tolerance;
     scans::BuiltSurface built =
         scans::build_surface(surface_scans(project, surface, progress), frame, options, progress);
-    KeptSurface kept{std::move(built.grid), std::move(built.disputed)};
+    KeptSurface kept{std::move(built.grid), std::move(built.as_seen), std::move(built.disputed)};
     write_sealed(file, to_bytes(kept));
     return kept;
 }
 
-scans::SurfaceGrid cached_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
-                                  const std::string& key, Progress& progress) {
-    return kept_surface(project, surface, frame, key, progress).grid;
+scans::SurfaceGrid seen_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
+                                const std::string& key, Progress& progress) {
+    KeptSurface kept = kept_surface(project, surface, frame, key, progress);
+    scans::put_back(kept.grid, kept.as_seen);
+    return std::move(kept.grid);
 }
 
 } // namespace planum::app

@@ -21,7 +21,8 @@ namespace planum::app {
 
 /// A surface as its scans give it, with where they disagree.
 struct KeptSurface {
-    scans::SurfaceGrid grid;
+    scans::SurfaceGrid grid;                    ///< without what hangs behind edges
+    std::vector<scans::CellAsSeen> as_seen;     ///< where that makes a difference
     std::vector<scans::DisputedPatch> disputed; ///< largest first
 };
 
@@ -31,9 +32,8 @@ struct KeptSurface {
 [[nodiscard]] KeptSurface kept_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
                                        const std::string& key, Progress& progress);
 
-/// The heights of kept_surface() alone.
-[[nodiscard]] scans::SurfaceGrid cached_surface(Project& project, model::SurfaceId surface,
-                                                const scans::GridFrame& frame, const std::string& key,
-                                                Progress& progress);
+/// The heights of kept_surface() as they were seen, for what surfaces prove.
+[[nodiscard]] scans::SurfaceGrid seen_surface(Project& project, model::SurfaceId surface, const scans::GridFrame& frame,
+                                              const std::string& key, Progress& progress);
 
 } // namespace planum::app

@@ -51,8 +51,8 @@ std::vector<RemovedLayer> removed_layers(const LayerField& field, const std::vec
 class Composer {
   public:
     Composer(const LayerField& field, std::span<const SurfaceScan> scans, const SurfaceOptions& options,
-             const LayerRules& rules, BuiltSurface& built)
-        : field_(field), field_rules_(rules), scans_(scans), options_(options), grid_(built.grid) {}
+             const LayerRules& rules, SurfaceGrid& grid)
+        : field_(field), field_rules_(rules), scans_(scans), options_(options), grid_(grid) {}
 
     void compose(Progress& progress) {
         const std::size_t cells = field_.frame.cells();
@@ -150,22 +150,29 @@ BuiltSurface build_surface(std::span<const SurfaceScan> scans, const GridFrame& 
     built.points = field.points;
     progress.step("making the surface");
     std::vector<RemovedLayer> removed;
+    std::vector<bool> passing;
     if (options.remove_passing) {
-        std::vector<bool> passing;
         built.passing = mark_passing(field, options.passing, passing);
         removed = removed_layers(field, passing);
         field.remove(passing);
-        std::vector<bool> hanging;
-        built.hanging = mark_hanging(field, removed, scans, options.sight, options.threads, progress, hanging);
-        field.remove(hanging);
     }
-    Composer(field, scans, options, rules, built).compose(progress);
+    Composer(field, scans, options, rules, built.grid).compose(progress);
     built.disputed = settle_disputes(field, scans, options, built.grid);
-    built.grid.ceiling.assign(frame.cells(), kUnknown);
-    if (options.remove_passing) {
-        built.grid.ceiling =
-            lines_of_sight(field, removed, built.grid, scans, options.sight, options.threads, progress);
+    if (!options.remove_passing) {
+        built.grid.ceiling.assign(frame.cells(), kUnknown);
+        return built;
     }
+    std::vector<bool> hanging;
+    built.hanging = mark_hanging(field, removed, scans, options.sight, options.threads, progress, hanging);
+    if (built.hanging > 0) {
+        const SurfaceGrid seen = std::move(built.grid);
+        built.grid = {};
+        field.remove(hanging);
+        Composer(field, scans, options, rules, built.grid).compose(progress);
+        (void)settle_disputes(field, scans, options, built.grid); // they were reported as seen
+        built.as_seen = cells_as_seen(seen, built.grid);
+    }
+    built.grid.ceiling = lines_of_sight(field, removed, built.grid, scans, options.sight, options.threads, progress);
     return built;
 }
 

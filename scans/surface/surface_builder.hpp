@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "scans/surface/cells_as_seen.hpp"
 #include "scans/surface/passing_things.hpp"
 #include "scans/surface/point_source.hpp"
 #include "scans/surface/sight_lines.hpp"
@@ -41,6 +42,7 @@ struct DisputedPatch {
 
 struct BuiltSurface {
     SurfaceGrid grid;
+    std::vector<CellAsSeen> as_seen;     ///< cells that are otherwise in `grid` because of what hangs behind edges
     std::vector<DisputedPatch> disputed; ///< largest first
     std::uint64_t points = 0;            ///< of the scans, within the frame
     PassingReport passing;

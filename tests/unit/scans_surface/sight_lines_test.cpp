@@ -119,6 +119,16 @@ TEST_CASE("What hangs in the shadow of the scan that saw it hides neither floor 
     CHECK(built.hanging > 40);
 
     const SurfaceGrid& grid = built.grid;
+    // What surfaces prove is read from all that was seen: where something hangs over the floor, the floor proves
+    // nothing.
+    SurfaceGrid seen = grid;
+    put_back(seen, built.as_seen);
+    std::size_t over_floor = 0;
+    for (std::size_t cell = 0; cell < grid.frame.cells(); ++cell)
+        over_floor += grid.state[cell] == CellState::Surface && seen.state[cell] == CellState::Face ? 1U : 0U;
+    CHECK(over_floor > 10);
+    CHECK(cells_as_seen(seen, grid).size() == built.as_seen.size());
+    CHECK(cells_as_seen(seen, seen).empty());
     const FilledHeights filled = fill_gaps(grid);
     std::size_t no_ground = 0;
     double over = 0.0; // [m³]
