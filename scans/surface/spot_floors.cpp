@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/geometry/polygons.hpp"
+#include "scans/surface/window_sums.hpp"
 
 namespace planum::scans {
 
@@ -30,9 +31,8 @@ struct Place {
 class Floors {
   public:
     Floors(FilledHeights& filled, const SurfaceGrid& grid, std::vector<bool>& fence, double doubt)
-        : filled_(filled), grid_(grid), frame_(grid.frame), fence_(fence), doubt_(doubt) {
-        count_seen();
-    }
+        : filled_(filled), grid_(grid), frame_(grid.frame), fence_(fence), doubt_(doubt),
+          seen_(grid.frame, [&](std::size_t cell) { return filled.was_seen[cell] ? 1 : 0; }) {}
 
     void lay(const SpotHeight& spot) {
         const std::optional<Place> start = cell_for(spot);
@@ -60,28 +60,10 @@ class Floors {
         }
     };
 
-    // Sums over all cells to the south-west, a row and a column more than there are cells.
-    void count_seen() {
-        const auto wide = static_cast<std::size_t>(frame_.columns) + 1;
-        seen_.assign(wide * (static_cast<std::size_t>(frame_.rows) + 1), 0);
-        for (std::size_t r = 0; r < static_cast<std::size_t>(frame_.rows); ++r) {
-            for (std::size_t c = 0; c + 1 < wide; ++c) {
-                seen_[(r + 1) * wide + c + 1] = seen_[r * wide + c + 1] + seen_[(r + 1) * wide + c] -
-                                                seen_[r * wide + c] + (filled_.was_seen[r * (wide - 1) + c] ? 1 : 0);
-            }
-        }
-    }
-
     [[nodiscard]] bool is_hardly_seen(const Place& place) const {
         const auto near = static_cast<std::int32_t>(std::lround(kAround / frame_.cell));
-        const auto wide = static_cast<std::size_t>(frame_.columns) + 1;
-        const auto south = static_cast<std::size_t>(std::max(0, place.row - near));
-        const auto west = static_cast<std::size_t>(std::max(0, place.column - near));
-        const auto north = static_cast<std::size_t>(std::min(frame_.rows, place.row + near + 1));
-        const auto east = static_cast<std::size_t>(std::min(frame_.columns, place.column + near + 1));
-        const std::int32_t seen = seen_[north * wide + east] - seen_[south * wide + east] - seen_[north * wide + west] +
-                                  seen_[south * wide + west];
-        return seen < kSeenShare * static_cast<double>((north - south) * (east - west));
+        const std::int32_t all = seen_.cells_around(place.row, place.column, near);
+        return seen_.around(place.row, place.column, near) < kSeenShare * all;
     }
 
     [[nodiscard]] bool is_open(const Place& place) const {
@@ -199,8 +181,8 @@ class Floors {
     const GridFrame& frame_;
     std::vector<bool>& fence_;
     const double doubt_;
-    std::vector<std::int32_t> seen_; // cells with ground
-    double most_distance_ = 0.0;     // errors are alike over a hollow, not beyond it [m]
+    const WindowSums<std::int32_t> seen_; // cells with ground
+    double most_distance_ = 0.0;          // errors are alike over a hollow, not beyond it [m]
 };
 
 } // namespace
