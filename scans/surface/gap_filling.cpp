@@ -25,8 +25,13 @@ class Filler {
   public:
     Filler(const SurfaceGrid& grid, const GapOptions& options) : grid_(grid), frame_(grid.frame), options_(options) {
         const std::size_t cells = frame_.cells();
-        filled_ = {frame_, std::vector<float>(cells, kUnknown), std::vector<float>(cells, 0.0F),
-                   std::vector<float>(cells, 0.0F), std::vector<bool>(cells)};
+        filled_.frame = frame_;
+        filled_.height.assign(cells, kUnknown);
+        filled_.sigma.assign(cells, 0.0F);
+        filled_.shadow_sigma.assign(cells, 0.0F);
+        filled_.distance.assign(cells, 0.0F);
+        filled_.was_seen.assign(cells, false);
+        filled_.laid.assign(cells, false);
         for (std::size_t i = 0; i < cells; ++i) {
             filled_.was_seen[i] = grid.state[i] == CellState::Surface || grid.state[i] == CellState::Disputed;
             if (filled_.was_seen[i]) filled_.height[i] = grid.height[i];
@@ -132,7 +137,7 @@ class Filler {
             const float most = ceiling(cell);
             if (std::isnan(most) || std::isnan(filled_.height[cell])) continue;
             filled_.height[cell] = std::min(filled_.height[cell], most + kOnSightLine);
-            filled_.sigma[cell] = std::max(filled_.sigma[cell], (most - filled_.height[cell]) * options_.shadow_doubt);
+            filled_.shadow_sigma[cell] = std::max(0.0F, (most - filled_.height[cell]) * options_.shadow_doubt);
         }
     }
 

@@ -30,10 +30,12 @@ struct SpotHeight {
 /// Heights of a surface with its gaps closed.
 struct FilledHeights {
     GridFrame frame;
-    std::vector<float> height;   ///< NaN where unknown
-    std::vector<float> sigma;    ///< of what was filled in; 0 where ground was seen [m]
-    std::vector<float> distance; ///< from the ground that was seen nearest [m]
-    std::vector<bool> was_seen;  ///< Surface or Disputed
+    std::vector<float> height;       ///< NaN where unknown
+    std::vector<float> sigma;        ///< of what was filled in; 0 where ground was seen [m]
+    std::vector<float> shadow_sigma; ///< at least this of what was filled in under a line of sight [m]
+    std::vector<float> distance;     ///< from the ground that was seen nearest [m]
+    std::vector<bool> was_seen;      ///< Surface or Disputed
+    std::vector<bool> laid; ///< a floor that a spot height says, or what was seen of sides continued down to it
 };
 
 /// Closes gaps in the ground, once what hangs in them is left out (drop_hanging()), by a membrane that upright sides

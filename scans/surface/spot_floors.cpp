@@ -171,6 +171,7 @@ class Floors {
 
     void set(std::size_t cell, float height, double distance, double sigma) {
         filled_.height[cell] = height;
+        filled_.laid[cell] = true;
         fence_[cell] = false;
         filled_.distance[cell] = static_cast<float>(std::min(distance, most_distance_));
         filled_.sigma[cell] = static_cast<float>(std::hypot(sigma, std::min(distance * doubt_, kMostDoubt)));

@@ -11,6 +11,7 @@ namespace planum::scans {
 
 namespace {
 
+constexpr double kSeenOnce = 1e9;      // no change is known that an error could be a share of [m]
 constexpr double kTwoSided = 1.959964; // 95 % of a normal distribution
 
 bool is_ground(CellState state) { return state == CellState::Surface || state == CellState::Disputed; }
@@ -34,7 +35,8 @@ class Counter {
     Counter(const SurfaceGrid& before, const SurfaceGrid& after, std::span<const std::int32_t> label_of,
             const VolumeOptions& options)
         : before_(before), after_(after), label_of_(label_of), options_(options),
-          frame_(common_frame(before.frame, after.frame)), filled_before_(fill_gaps(before, options.gaps, options.spots_before)),
+          frame_(common_frame(before.frame, after.frame)),
+          filled_before_(fill_gaps(before, options.gaps, options.spots_before)),
           filled_after_(fill_gaps(after, options.gaps, options.spots_after)) {
         if (!label_of.empty() && label_of.size() != frame_.cells())
             throw Error(ErrorCode::Usage, "labels that are not those of the cells two surfaces share");
@@ -77,6 +79,8 @@ class Counter {
         (depth > 0.0 ? volume.gone : volume.added) += std::abs(depth) * area;
         Sums& sums = sums_[label];
         bool filled = false;
+        const bool hidden = !filled_before_.was_seen[cell_in(before_.frame, frame_, row, column)] &&
+                            !filled_after_.was_seen[cell_in(after_.frame, frame_, row, column)];
         const auto add_surface = [&](const SurfaceGrid& grid, const FilledHeights& heights, double& pose) {
             const std::size_t cell = cell_in(grid.frame, frame_, row, column);
             pose += static_cast<double>(grid.pose_sigma[cell]);
@@ -86,7 +90,8 @@ class Counter {
                 // Within a gap all is continued from the same ground, so errors are alike over its width.
                 const double alike =
                     std::max({options_.alike, 2.0 * static_cast<double>(heights.distance[cell]), frame_.cell});
-                const double sigma = static_cast<double>(heights.sigma[cell]) * alike / frame_.cell;
+                const double sigma =
+                    gap_sigma(heights, cell, hidden ? std::abs(depth) : kSeenOnce) * alike / frame_.cell;
                 sums.filled += sigma * sigma;
                 filled = true;
             }
@@ -95,6 +100,14 @@ class Counter {
         add_surface(after_, filled_after_, sums.pose_after);
         if (filled) volume.filled_area += area;
         if (options_.outline_sigma > 0.0) add_outline(row, column, sums);
+    }
+
+    // What a shadow hides on both days is the same but for what was dug there.
+    [[nodiscard]] double gap_sigma(const FilledHeights& heights, std::size_t cell, double depth) const {
+        const auto gap = static_cast<double>(heights.sigma[cell]);
+        const auto shadow = static_cast<double>(heights.shadow_sigma[cell]);
+        const double most = options_.hidden_doubt * depth;
+        return std::max(heights.laid[cell] ? std::min(gap, most) : gap, std::min(shadow, most));
     }
 
     // A line that lies elsewhere by δ moves earth of its depth from one label to the other.

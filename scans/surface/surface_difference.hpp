@@ -51,6 +51,7 @@ struct VolumeOptions {
     std::vector<SpotHeight> spots_before; ///< for fill_gaps()
     std::vector<SpotHeight> spots_after;
     double alike = 0.1;         ///< errors of filled cells are alike over so much, or the width of the gap [m]
+    double hidden_doubt = 0.5;  ///< σ of a change that shadows hide on both days, as a share of it
     double outline_sigma = 0.0; ///< of the lines between labels [m]
     double outline_alike = 0.3; ///< a hand errs alike along so much of a line [m]
 };

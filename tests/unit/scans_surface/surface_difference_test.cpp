@@ -2,6 +2,7 @@
 #include "scans/surface/surface_difference.hpp"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "core/base/error.hpp"
@@ -195,4 +196,35 @@ TEST_CASE("A pit with upright sides has its volume wherever its sides lie in the
         CHECK(volume.net == Approx(0.3).epsilon(0.01));
         CHECK(std::abs(volume.net - 0.3) < volume.bound());
     }
+}
+
+TEST_CASE("What a shadow hides on both days is unsure by what was dug there, not by how deep the shadow is") {
+    const auto in_shadow = [](double ground, bool hidden) {
+        SurfaceGrid grid;
+        grid.frame = {0, 0, 100, 100, 0.02};
+        const std::size_t cells = grid.frame.cells();
+        grid.height.assign(cells, static_cast<float>(ground));
+        grid.spread.assign(cells, 0.002F);
+        grid.pose_sigma.assign(cells, 0.0F);
+        grid.slope.assign(cells, 0.0F);
+        grid.count.assign(cells, 3);
+        grid.state.assign(cells, CellState::Surface);
+        grid.ceiling.assign(cells, std::numeric_limits<float>::quiet_NaN());
+        for (std::int32_t row = 40; hidden && row < 60; ++row) {
+            for (std::int32_t column = 40; column < 60; ++column) {
+                const std::size_t cell = grid.frame.at(row, column);
+                grid.state[cell] = CellState::Unseen;
+                grid.height[cell] = std::numeric_limits<float>::quiet_NaN();
+                grid.ceiling[cell] = 2.0F;
+            }
+        }
+        return grid;
+    };
+    const auto sigma = [](const SurfaceGrid& before, const SurfaceGrid& after) {
+        return dug_volumes(before, after, {}, 1)[0].sigma;
+    };
+    const double seen_once = sigma(in_shadow(1.0, false), in_shadow(0.9, true));
+    CHECK(seen_once > 0.04 * 0.1); // a fifth of a metre over some of 0.16 m²
+    CHECK(sigma(in_shadow(1.0, true), in_shadow(0.9, true)) < 0.5 * seen_once);
+    CHECK(sigma(in_shadow(1.0, true), in_shadow(0.2, true)) > sigma(in_shadow(1.0, true), in_shadow(0.9, true)));
 }
