@@ -31,8 +31,10 @@ class Filler {
         filled_.shadow_sigma.assign(cells, 0.0F);
         filled_.distance.assign(cells, 0.0F);
         filled_.was_seen.assign(cells, false);
+        filled_.source.assign(cells, 0);
         filled_.laid.assign(cells, false);
         for (std::size_t i = 0; i < cells; ++i) {
+            filled_.source[i] = static_cast<std::uint32_t>(i);
             filled_.was_seen[i] = grid.state[i] == CellState::Surface || grid.state[i] == CellState::Disputed;
             if (filled_.was_seen[i]) filled_.height[i] = grid.height[i];
         }
@@ -165,6 +167,7 @@ class Filler {
             if (!std::isnan(filled_.height[next.cell])) continue;
             const std::size_t from = frame_.at(next.from_row, next.from_column);
             filled_.height[next.cell] = filled_.height[from];
+            filled_.source[next.cell] = filled_.source[from];
             filled_.distance[next.cell] = filled_.distance[from] + static_cast<float>(next.distance * frame_.cell);
             filled_.sigma[next.cell] =
                 filled_.sigma[from] + static_cast<float>(next.distance * frame_.cell * options_.doubt);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct FilledHeights {
     std::vector<float> shadow_sigma; ///< at least this of what was filled in under a line of sight [m]
     std::vector<float> distance;     ///< from the ground that was seen nearest [m]
     std::vector<bool> was_seen;      ///< Surface or Disputed
+    /// Cell of the ground that a height was continued from first; the cell itself where ground was seen, and on sides.
+    std::vector<std::uint32_t> source;
     std::vector<bool> laid; ///< a floor that a spot height says, or what was seen of sides continued down to it
 };
 

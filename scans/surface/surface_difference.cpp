@@ -40,6 +40,7 @@ class Counter {
           filled_after_(fill_gaps(after, options.gaps, options.spots_after)) {
         if (!label_of.empty() && label_of.size() != frame_.cells())
             throw Error(ErrorCode::Usage, "labels that are not those of the cells two surfaces share");
+        if (options.undug) undug_ = undug_ground({before_, filled_before_}, {after_, filled_after_}, *options.undug);
     }
 
     std::vector<DugVolume> count(std::size_t labels) {
@@ -75,6 +76,10 @@ class Counter {
             return;
         }
         volume.area += area;
+        if (!undug_.empty() && undug_[frame_.at(row, column)]) {
+            volume.undug_area += area;
+            return;
+        }
         volume.net += depth * area;
         (depth > 0.0 ? volume.gone : volume.added) += std::abs(depth) * area;
         Sums& sums = sums_[label];
@@ -143,6 +148,7 @@ class Counter {
     GridFrame frame_;
     FilledHeights filled_before_;
     FilledHeights filled_after_;
+    std::vector<bool> undug_; // empty: all counts
     std::vector<DugVolume> volumes_;
     std::vector<Sums> sums_;
 };

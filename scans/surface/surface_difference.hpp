@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "scans/surface/gap_filling.hpp"
 #include "scans/surface/surface_grid.hpp"
+#include "scans/surface/undug_ground.hpp"
 
 namespace planum::scans {
 
@@ -41,6 +43,7 @@ struct DugVolume {
     double sigma = 0.0;       ///< of net [m³]
     double area = 0.0;        ///< that was counted, in plan [m²]
     double filled_area = 0.0; ///< of it: where one of the surfaces was not seen, or is a face [m²]
+    double undug_area = 0.0;  ///< of it: where nobody dug, as far as the scans can tell [m²]
     double unseen_area = 0.0; ///< not counted: too far from any ground that was seen [m²]
 
     [[nodiscard]] double bound() const noexcept { return 1.959964 * sigma; } ///< 95 % [m³]
@@ -54,13 +57,19 @@ struct VolumeOptions {
     double hidden_doubt = 0.5;  ///< σ of a change that shadows hide on both days, as a share of it
     double outline_sigma = 0.0; ///< of the lines between labels [m]
     double outline_alike = 0.3; ///< a hand errs alike along so much of a line [m]
+    std::optional<UndugRules> undug = UndugRules{}; ///< none: all ground counts
 };
 
 /// Volumes for each label 0…labels-1 between two surfaces; `label_of` has a value for every cell of
 /// common_frame(), -1 for none. Empty `label_of`: all cells are label 0.
 ///
+/// Ground on which nobody dug (undug_ground()) counts for the area and for nothing else: over a hundred square metres
+/// errors of a millimetre are 0.1 m³, more than a day may dig of a few pits. What was scraped off by less than the
+/// poses can tell is lost with it.
+///
 /// The σ adds: noise of each cell; gaps and faces, alike over their width; lines between labels, where the depth on
-/// both sides differs; and, linearly over all cells, the σ of the poses of either surface, which is common to them.
+/// both sides differs; and, linearly over all cells that count, the σ of the poses of either surface, which is common
+/// to them.
 [[nodiscard]] std::vector<DugVolume> dug_volumes(const SurfaceGrid& before, const SurfaceGrid& after,
                                                  std::span<const std::int32_t> label_of, std::size_t labels,
                                                  const VolumeOptions& options = {});

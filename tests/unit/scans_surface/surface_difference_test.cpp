@@ -76,7 +76,9 @@ TEST_CASE("An error of a pose is common to all cells, so a larger area does not 
     const GridFrame frame = three_by_two();
     const SurfaceGrid before = surface(uneven, 5, frame, 0.003);
     const SurfaceGrid after = surface(uneven, 6, frame, 0.004);
-    const DugVolume volume = dug_volumes(before, after, {}, 1)[0];
+    VolumeOptions all_ground;
+    all_ground.undug.reset();
+    const DugVolume volume = dug_volumes(before, after, {}, 1, all_ground)[0];
     CHECK(volume.sigma == Approx(6.0 * 0.005).epsilon(0.05));
 }
 
