@@ -221,7 +221,7 @@ class Judge {
     [[nodiscard]] bool is_hardly_seen(const Place& place) const { return seen_share(place) < rules_.hardly * usual_; }
 
     [[nodiscard]] double seen_share(const Place& place) const {
-        const std::int32_t reach = cells(rules_.between);
+        const std::int32_t reach = cells(rules_.beside);
         return static_cast<double>(seen_.around(place.row, place.column, reach)) /
                seen_.cells_around(place.row, place.column, reach);
     }
@@ -248,7 +248,7 @@ class Judge {
             if (signs_[cell] == Sign::Against && has_change_beside(place_of(cell))) reached.push_back(place_of(cell));
         }
         grow_doubt(reached, cells(rules_.spread), [&](const Place& place) { return is_hardly_seen(place); });
-        grow_doubt(reached, cells(rules_.between), [](const Place&) { return true; }); // to the rim of the gap
+        grow_doubt(reached, cells(rules_.beside), [](const Place&) { return true; }); // to the rim of the gap
     }
 
     template<class Admits>

@@ -17,9 +17,8 @@ struct UndugRules {
     double share = 0.9;         ///< of the cells seen on both days must be still
     int fewest = 40;            ///< cells seen on both days say something
     double beside = 0.1;        ///< gaps with changed ground, or signs of it, within so much are not undug [m]
-    double spread = 0.5;        ///< nor what of the same gap lies within so much of such a sign [m]
-    double between = 0.04;      ///< cells without points lie in gaps when hardly any so near have some [m]
-    double hardly = 0.3;        ///< of what is usual
+    double spread = 0.25;       ///< nor what of the same gap lies within so much of such a sign [m]
+    double hardly = 0.3;        ///< where fewer cells than this share of what is usual are seen beside, is a gap
     double below = 0.03;        ///< what lies, or must lie, lower by more contradicts [m]
     double side_shift = 0.25;   ///< sides that moved by more cells were cut back
 };
