@@ -21,6 +21,7 @@ constexpr double kAround = 0.1;    // ground is looked for so far around a cell 
 constexpr double kSeenShare = 0.2; // of the cells around; less is hardly any
 constexpr double kReach = 1.5;     // no floor is level farther from where it was measured [m]
 constexpr double kMostDoubt = 0.1; // [m]
+constexpr float kEdge = 0.05F;     // ground of a hollow that has none higher around by so much is its edge [m]
 constexpr float kSide = 0.9F;      // ground in a hollow that is steeper is its side; its rim is not
 
 struct Place {
@@ -83,7 +84,21 @@ class Floors {
 
     [[nodiscard]] bool is_side(const Place& place, const geometry::MultiPolygon& hollow) const {
         const std::size_t cell = frame_.at(place.row, place.column);
-        return filled_.was_seen[cell] && grid_.slope[cell] > kSide && !is_hardly_seen(place) && is_in(hollow, place);
+        return filled_.was_seen[cell] && grid_.slope[cell] > kSide && !is_hardly_seen(place) && is_in(hollow, place) &&
+               has_ground_above(place);
+    }
+
+    // The edge of an overhang seems steep, for points under it lie beside it; a side has some of itself above it.
+    [[nodiscard]] bool has_ground_above(const Place& place) const {
+        const float height = grid_.height[frame_.at(place.row, place.column)] + kEdge;
+        const auto near = static_cast<std::int32_t>(std::lround(kAround / frame_.cell));
+        for (std::int32_t r = std::max(0, place.row - near); r <= std::min(frame_.rows - 1, place.row + near); ++r) {
+            for (std::int32_t c = std::max(0, place.column - near);
+                 c <= std::min(frame_.columns - 1, place.column + near); ++c) {
+                if (filled_.was_seen[frame_.at(r, c)] && grid_.height[frame_.at(r, c)] > height) return true;
+            }
+        }
+        return false;
     }
 
     template<class Visit>

@@ -114,6 +114,23 @@ TEST_CASE("Sides that were seen go on down to the floor, and beams that hang alo
     }
 }
 
+TEST_CASE("The edge of an overhang is no side that goes on down to the floor") {
+    SurfaceGrid grid = ground_with_pit();
+    for (std::int32_t row = 20; row < 40; ++row) { // the rim, and between its cells what was seen under it
+        grid.state[grid.frame.at(row, 20)] = CellState::Surface;
+        grid.height[grid.frame.at(row, 20)] = static_cast<float>(kGround);
+        grid.slope[grid.frame.at(row, 20)] = 1.5F;
+        grid.state[grid.frame.at(row, 19)] = CellState::Face;
+        grid.height[grid.frame.at(row, 19)] = 0.6F;
+    }
+    const SpotHeight spot = floor_spot(0.7, 0.6);
+    const FilledHeights filled = fill_gaps(grid, {}, {&spot, 1});
+    for (std::int32_t column = 27; column < 36; ++column) {
+        CAPTURE(column);
+        CHECK(static_cast<double>(filled.height[grid.frame.at(30, column)]) == Approx(kFloor));
+    }
+}
+
 TEST_CASE("What the scans saw is stronger than a floor that was measured") {
     SurfaceGrid grid = ground_with_pit();
     const SpotHeight spot = floor_spot(0.6, 0.6);
