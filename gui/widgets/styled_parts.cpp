@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QEvent>
+#include <QFont>
 #include <QTimer>
 #include <QWidget>
 
@@ -30,6 +31,16 @@ bool lies_in(const QWidget& widget, const QWidget& part) {
     return at == &part;
 }
 
+// Sheets of parts mark the widgets around them, which they ask about, as if these had one, too, and those get no new
+// font from their parents any more.
+void take_font_of_parent(QWidget& widget) {
+    if (!is_marked(widget)) return;
+    widget.setAttribute(Qt::WA_StyleSheet, false);
+    widget.setFont(QFont());
+    for (QWidget* child : widget.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        take_font_of_parent(*child);
+}
+
 } // namespace
 
 StyledParts::StyledParts(QObject* parent) : QObject(parent) { qApp->installEventFilter(this); }
@@ -38,6 +49,7 @@ void StyledParts::in_parts(QWidget& widget) { widget.setProperty(kInParts, true)
 
 void StyledParts::set_sheet(const QString& sheet, Pace pace) {
     sheet_ = sheet;
+    for (QWidget* window : QApplication::topLevelWidgets()) take_font_of_parent(*window);
     const auto gone = [](const QPointer<QWidget>& part) { return part.isNull(); };
     parts_.erase(std::remove_if(parts_.begin(), parts_.end(), gone), parts_.end());
     std::vector<QPointer<QWidget>> ordered = parts_;

@@ -153,7 +153,6 @@ QSplitter::handle:vertical { height: 12px; }
 QString sheet_of(const Theme& t) {
     QString sheet = QStringLiteral(R"(
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
-QDockWidget::title { padding: 6px 10px; background: %window; }
 QToolBar { border: none; border-bottom: 1px solid %edge; spacing: 4px; padding: 4px 8px; background: %window; }
 QToolButton, QPushButton { min-height: %buttonpx; padding: 0 10px; border: 1px solid %edge; border-radius: 4px;
   background: %paper; color: %ink; }
@@ -225,7 +224,28 @@ class WindowStyle : public QProxyStyle {
     WindowStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
     int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-        return metric == PM_DockWidgetSeparatorExtent ? 1 : QProxyStyle::pixelMetric(metric, option, widget);
+        switch (metric) {
+        case PM_DockWidgetSeparatorExtent: return 1;
+        case PM_DockWidgetTitleMargin: return 6;
+        default: return QProxyStyle::pixelMetric(metric, option, widget);
+        }
+    }
+
+    // A dock would write its title in the font that it was made with, whatever the theme is now.
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        const auto* title = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
+        if (element != CE_DockWidgetTitle || title == nullptr || widget == nullptr)
+            return QProxyStyle::drawControl(element, option, painter, widget);
+        constexpr int kSide = 14;
+        const QRect room = option->rect.adjusted(kSide, 0, -kSide, 0);
+        painter->save();
+        painter->fillRect(option->rect, theme().window);
+        painter->setFont(widget->font());
+        drawItemText(painter, room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic, title->palette, true,
+                     widget->fontMetrics().elidedText(title->title, Qt::ElideRight, room.width()),
+                     QPalette::WindowText);
+        painter->restore();
     }
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

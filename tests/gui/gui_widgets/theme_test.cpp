@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -89,7 +90,7 @@ TEST_CASE("A theme that is chosen while the window is open looks as if it had op
     }
 }
 
-TEST_CASE("Rows are as high as a finger needs when the sun comes out") {
+TEST_CASE("Rows are as high as a finger needs, and letters as large, when the sun comes out") {
     ensure_application();
     const LightAgain afterwards;
     const test::GuiProject site;
@@ -97,8 +98,15 @@ TEST_CASE("Rows are as high as a finger needs when the sun comes out") {
     const auto* table = window->findChild<QTableView*>(QStringLiteral("unitTable"));
     REQUIRE(table != nullptr);
     const int before = table->verticalHeader()->defaultSectionSize();
+    const auto* tabs = window->findChild<QTabWidget*>();
+    REQUIRE(tabs != nullptr);
+    CHECK(tabs->styleSheet().isEmpty());
     change_theme(ThemeKind::Sunlight);
     CHECK(table->verticalHeader()->defaultSectionSize() >= theme().touch - 2);
+    for (const QWidget* one : window->findChildren<QWidget*>()) {
+        INFO(one->metaObject()->className() << " " << one->objectName().toStdString());
+        CHECK(one->font().pointSizeF() >= theme().text_points); // headings are larger
+    }
     change_theme(ThemeKind::Light);
     CHECK(table->verticalHeader()->defaultSectionSize() == before);
 }
