@@ -32,6 +32,7 @@ void append(std::string& bytes, const std::vector<Value>& values) {
 template<class Value>
 void take(std::string_view& bytes, std::vector<Value>& values, std::size_t count) {
     values.resize(count);
+    if (count == 0) return;
     std::memcpy(values.data(), bytes.data(), count * sizeof(Value));
     bytes.remove_prefix(count * sizeof(Value));
 }
