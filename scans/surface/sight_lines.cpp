@@ -60,26 +60,35 @@ ScanSight seen_by(const LayerField& field, std::span<const RemovedLayer> removed
     return seen;
 }
 
-/// Whether hardly any cell around holds points, and ground that can be relied on lies well below.
-bool hangs_alone(const SurfaceGrid& grid, const std::vector<bool>& stray, std::int32_t row, std::int32_t column,
-                 int alone, const SightRules& rules) {
+/// Whether no more than so many of the nearest cells, itself among them, hold points.
+bool is_alone(const SurfaceGrid& grid, std::int32_t row, std::int32_t column, int most) {
+    const GridFrame& frame = grid.frame;
+    constexpr std::int32_t kNear = 3;
+    int held = 0;
+    for (std::int32_t r = std::max(0, row - kNear); r <= std::min(frame.rows - 1, row + kNear); ++r) {
+        for (std::int32_t c = std::max(0, column - kNear); c <= std::min(frame.columns - 1, column + kNear); ++c) {
+            if (grid.state[frame.at(r, c)] != CellState::Unseen && ++held > most) return false;
+        }
+    }
+    return true;
+}
+
+/// Whether ground that can be relied on lies lower than it can fall on the way there.
+bool is_over_ground(const SurfaceGrid& grid, const std::vector<bool>& stray, std::int32_t row, std::int32_t column,
+                    const SightRules& rules) {
     const GridFrame& frame = grid.frame;
     const float height = grid.height[frame.at(row, column)];
     const auto reach = static_cast<std::int32_t>(std::lround(rules.ground_near / frame.cell));
-    constexpr std::int32_t kNear = 3;
-    int held = 0;
-    bool over_ground = false;
     for (std::int32_t r = std::max(0, row - reach); r <= std::min(frame.rows - 1, row + reach); ++r) {
         for (std::int32_t c = std::max(0, column - reach); c <= std::min(frame.columns - 1, column + reach); ++c) {
             const std::size_t other = frame.at(r, c);
-            if (grid.state[other] == CellState::Unseen) continue;
-            if (std::abs(r - row) <= kNear && std::abs(c - column) <= kNear && ++held > alone) return false;
-            if (stray[other] || grid.state[other] == CellState::Face) continue;
+            if (stray[other] || grid.state[other] == CellState::Unseen || grid.state[other] == CellState::Face)
+                continue;
             const double most = rules.hangs + rules.slope * frame.cell * std::hypot(r - row, c - column);
-            over_ground = over_ground || static_cast<double>(height - grid.height[other]) > most;
+            if (static_cast<double>(height - grid.height[other]) > most) return true;
         }
     }
-    return over_ground;
+    return false;
 }
 
 } // namespace
@@ -151,14 +160,15 @@ std::size_t drop_hanging(SurfaceGrid& grid, const SightRules& rules) {
     const GridFrame& frame = grid.frame;
     const std::vector<bool> stray = stray_cells(grid, rules);
     const double usual = usual_share(frame, grid.height);
-    const int alone = std::min(rules.alone, static_cast<int>(rules.alone_share * 49.0 * usual));
+    const int most_alone = std::min(rules.alone, static_cast<int>(rules.alone_share * 49.0 * usual));
     std::vector<std::size_t> hanging;
     for (std::int32_t row = 0; row < frame.rows; ++row) {
         for (std::int32_t column = 0; column < frame.columns; ++column) {
             const std::size_t cell = frame.at(row, column);
             if (!stray[cell]) continue;
             const bool on_line = static_cast<double>(grid.ceiling[cell] - grid.height[cell]) < rules.grazing;
-            if (on_line || hangs_alone(grid, stray, row, column, alone, rules)) hanging.push_back(cell);
+            const bool alone = is_alone(grid, row, column, most_alone);
+            if (on_line || (alone && is_over_ground(grid, stray, row, column, rules))) hanging.push_back(cell);
         }
     }
     for (const std::size_t cell : hanging) {

@@ -13,7 +13,7 @@ struct SightRules {
     double slope = 0.5;       ///< and by so much for each metre from one to the other
     int alone = 4; ///< cells with points within 6 cm, itself among them, are no more than this: a stray alone
     double alone_share = 0.2;  ///< nor than this share of what is usual
-    double ground_near = 0.6;  ///< it hangs over ground within so much [m]
+    double ground_near = 1.5;  ///< it hangs over ground within so much [m]; gaps are closed from no farther
     double hangs = 0.08;       ///< that is lower by so much [m], and by `slope` times its distance
     double grazing = 0.03;     ///< no lower under a line of sight than this is on it [m]
     double beside_side = 0.04; ///< points of a side lie no farther apart than twice this [m]

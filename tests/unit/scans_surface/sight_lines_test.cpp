@@ -165,3 +165,33 @@ TEST_CASE("Gaps between points on even ground, and clouds of no one station, giv
     const SurfaceGrid none = grid_of(flown, {-1.0, 1.0, 0.2});
     CHECK(std::all_of(none.ceiling.begin(), none.ceiling.end(), [](float z) { return std::isnan(z); }));
 }
+
+TEST_CASE("A point alone over the middle of a wide gap is no ground, however far the floor around it") {
+    constexpr double kBlind = 1.1; // a scanner sees nothing of a floor right below it [m]
+    constexpr double kFloor = -1.2;
+    Shots all(11);
+    all.add_ground({{-0.1, -0.1, 3.1, 3.1}, 10000.0, 0.001, 0}, [](double, double) { return kFloor; });
+    Shots shots(12);
+    for (std::size_t i = 0; i < all.block().size(); ++i) {
+        const double x = all.block().x[i];
+        const double y = all.block().y[i];
+        if (std::hypot(x - 1.5, y - 1.5) > kBlind) shots.add(x, y, all.block().z[i]);
+    }
+    const std::vector<SurfaceScan> scans{shots.scan("a")};
+    const SurfaceGrid floor = build_surface(scans, frame_around({0.0, 0.0, 3.0, 3.0}, 0.02), {}, Progress::none()).grid;
+    const auto filled_with_point_at = [&](double height) { // what is left of several that hung there
+        SurfaceGrid grid = floor;
+        const std::size_t middle = grid.frame.at(75, 75);
+        grid.state[middle] = CellState::Surface;
+        grid.height[middle] = static_cast<float>(height);
+        grid.count[middle] = 1;
+        return fill_gaps(grid);
+    };
+    const FilledHeights under_stray = filled_with_point_at(0.0);
+    for (const double x : {0.9, 1.2, 1.51, 1.8, 2.1})
+        CHECK(static_cast<double>(at(under_stray.height, under_stray.frame, x, 1.51)) == Approx(kFloor).margin(0.01));
+
+    // Ground can rise by so much on the way there.
+    const FilledHeights risen = filled_with_point_at(kFloor + 0.3);
+    CHECK(static_cast<double>(at(risen.height, risen.frame, 1.51, 1.51)) == Approx(kFloor + 0.3).margin(0.01));
+}
