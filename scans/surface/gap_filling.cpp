@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/geometry/polygons.hpp"
 #include "scans/surface/spot_floors.hpp"
 
 namespace planum::scans {
@@ -43,12 +44,13 @@ class Filler {
     FilledHeights fill(std::span<const SpotHeight> spots) {
         raise_fences();
         lay_floors(filled_, grid_, fence_, spots, options_.doubt);
+        outline_hollows(spots);
         spread(Fences::Closed);
         relax();
         lay_fences();
         spread(Fences::Open); // what lies between fences only
-        ceilings_hold_ = false;
-        spread(Fences::Open); // where there is no ground under the lines of sight
+        hints_hold_ = false;
+        spread(Fences::Open); // where there is no ground under the lines of sight, or none but the floor of a hollow
         doubt_shadows();
         return std::move(filled_);
     }
@@ -133,6 +135,27 @@ class Filler {
     /// Whether ground of that height can be continued into a cell without rising above the lines of sight over it.
     [[nodiscard]] bool admits(std::size_t cell, float height) const { return !(height > ceiling(cell) + kOnSightLine); }
 
+    void outline_hollows(std::span<const SpotHeight> spots) {
+        in_hollow_.assign(frame_.cells(), false);
+        for (const SpotHeight& spot : spots) {
+            const geometry::Extent extent = geometry::extent(spot.hollow);
+            for (std::int32_t row = 0; row < frame_.rows; ++row) {
+                if (frame_.y(row) < extent.low[1] || frame_.y(row) > extent.high[1]) continue;
+                for (std::int32_t column = 0; column < frame_.columns; ++column) {
+                    if (frame_.x(column) < extent.low[0] || frame_.x(column) > extent.high[0]) continue;
+                    if (geometry::contains(spot.hollow, frame_.x(column), frame_.y(row)))
+                        in_hollow_[frame_.at(row, column)] = true;
+                }
+            }
+        }
+    }
+
+    /// Whether nobody saw a cell outside the hollows, and `from` took its height from the floor of one: that floor ends
+    /// at the outline, wherever the gap does.
+    [[nodiscard]] bool lies_beside_hollow(std::size_t cell, std::size_t from) const {
+        return !in_hollow_[cell] && !filled_.was_seen[cell] && filled_.laid[filled_.source[from]];
+    }
+
     // What lies in a shadow is somewhere between the line of sight over it and the ground it was continued from.
     void doubt_shadows() {
         for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
@@ -150,9 +173,9 @@ class Filler {
         const auto offer = [&](std::int32_t row, std::int32_t column, const Reached& from) {
             const std::size_t cell = frame_.at(row, column);
             if (!std::isnan(filled_.height[cell]) || (fences == Fences::Closed && fence_[cell])) return;
-            if (ceilings_hold_ && !admits(cell, filled_.height[frame_.at(from.from_row, from.from_column)])) return;
-            const double distance = std::hypot(row - from.from_row, column - from.from_column);
             const std::size_t source = frame_.at(from.from_row, from.from_column);
+            if (hints_hold_ && (!admits(cell, filled_.height[source]) || lies_beside_hollow(cell, source))) return;
+            const double distance = std::hypot(row - from.from_row, column - from.from_column);
             const double before = static_cast<double>(filled_.distance[source]) / frame_.cell;
             if (before + distance <= most) waiting.push({distance, cell, from.from_row, from.from_column});
         };
@@ -184,8 +207,10 @@ class Filler {
                 float sum = 0.0F;
                 float number = 0.0F;
                 for_four(row_of(cell), column_of(cell), [&](std::int32_t r, std::int32_t c) {
-                    const float height = filled_.height[frame_.at(r, c)];
+                    const std::size_t other = frame_.at(r, c);
+                    const float height = filled_.height[other];
                     if (std::isnan(height) || !admits(cell, height)) return;
+                    if (lies_beside_hollow(cell, other) || lies_beside_hollow(other, cell)) return;
                     sum += height;
                     number += 1.0F;
                 });
@@ -342,7 +367,8 @@ class Filler {
     std::vector<bool> fence_;
     std::vector<bool> shows_side_; // faces with points between the ground on both sides
     std::vector<std::size_t> gaps_;
-    bool ceilings_hold_ = true;
+    std::vector<bool> in_hollow_; // inside the outlines that come with spot heights
+    bool hints_hold_ = true;      // what lines of sight and outlines of hollows say
 };
 
 } // namespace

@@ -131,6 +131,31 @@ TEST_CASE("The edge of an overhang is no side that goes on down to the floor") {
     }
 }
 
+TEST_CASE("A floor that was measured in a pit says nothing of what nobody saw beside its outline") {
+    SurfaceGrid grid = ground_with_pit();
+    for (std::int32_t row = 10; row < 50; ++row) { // the pit opens onto a blind spot west of it
+        for (std::int32_t column = 0; column < 20; ++column) {
+            grid.state[grid.frame.at(row, column)] = CellState::Unseen;
+            grid.height[grid.frame.at(row, column)] = kUnknown;
+        }
+    }
+    const SpotHeight spot = floor_spot(0.5, 0.6);
+    const FilledHeights filled = fill_gaps(grid, {}, {&spot, 1});
+    CHECK(static_cast<double>(filled.height[grid.frame.at(30, 25)]) == Approx(kFloor));
+    for (std::int32_t column = 0; column < 18; ++column) {
+        CAPTURE(column);
+        CHECK(static_cast<double>(filled.height[grid.frame.at(30, column)]) == Approx(kGround).margin(0.02));
+    }
+    for (std::int32_t row = 0; row < kSide; ++row) { // where nothing else is known, it is better than nothing
+        for (std::int32_t column = 0; column < kSide; ++column) {
+            if (is_pit(row, column)) continue;
+            grid.state[grid.frame.at(row, column)] = CellState::Unseen;
+            grid.height[grid.frame.at(row, column)] = kUnknown;
+        }
+    }
+    CHECK(static_cast<double>(fill_gaps(grid, {}, {&spot, 1}).height[grid.frame.at(30, 5)]) == Approx(kFloor));
+}
+
 TEST_CASE("What the scans saw is stronger than a floor that was measured") {
     SurfaceGrid grid = ground_with_pit();
     const SpotHeight spot = floor_spot(0.6, 0.6);
