@@ -47,7 +47,8 @@ struct FilledHeights {
 /// along it; where none shows the line, halfway. Under a line of sight over a shadow (SurfaceGrid::ceiling) only ground
 /// that is no higher is continued. Where a side is several cells wide, its cells lie where their points do.
 ///
-/// Where no scanner looked into a hollow, `spots` say how deep it is (lay_floors()).
+/// Where no scanner looked into a hollow, `spots` say how deep it is (lay_floors()). That floor ends at its outline:
+/// what nobody saw beside it is continued from other ground, where there is any.
 [[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {},
                                       std::span<const SpotHeight> spots = {});
 
