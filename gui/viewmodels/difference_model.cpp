@@ -147,16 +147,17 @@ void DifferenceModel::compare() {
             return [this, wanted, colours, span, report = change.report] {
                 if (wanted != made_) return;
                 const auto area = [](double value) { return number_word(value, 2); };
-                DifferenceKey key;
-                key.span = span;
-                key.detectable = report.detectable;
-                key.lower = tr("lower than %1").arg(qt(report.before));
-                key.higher = tr("higher than %1").arg(qt(report.before));
-                key.summary = tr("of %1 m² compared, %2 m² lower, %3 m² higher")
-                                  .arg(area(report.compared_area), area(report.lowered_area), area(report.raised_area));
+                DifferenceKey shown;
+                shown.span = span;
+                shown.detectable = report.detectable;
+                shown.lower = tr("lower than %1").arg(qt(report.before));
+                shown.higher = tr("higher than %1").arg(qt(report.before));
+                shown.summary =
+                    tr("of %1 m² compared, %2 m² lower, %3 m² higher")
+                        .arg(area(report.compared_area), area(report.lowered_area), area(report.raised_area));
                 const QString none = tr("%1 and %2 saw no ground in common.").arg(qt(report.before), qt(report.after));
                 if (report.compared_area <= 0.0) return take(nullptr, {}, none);
-                take(colours, key, {});
+                take(colours, shown, {});
             };
         },
         [this, wanted](const QString& sentence) {
