@@ -17,7 +17,7 @@ using model::UnitKind;
 using Pair = std::pair<UnitNumber, UnitNumber>;
 
 constexpr double kLeastArea = 0.012;      // of all cells of a pair; outlines take from small contacts [m²]
-constexpr double kLeastClearArea = 0.003; // of those away from outlines [m²]
+constexpr double kLeastClearArea = 0.004; // of those away from outlines [m²]
 constexpr double kWorthAsking = 0.1;      // [m²]
 constexpr double kInside = 0.9;           // share of what touches a unit, from which on it lies inside
 constexpr double kMostOfIt = 0.6;         // of a line or of cells
