@@ -17,7 +17,7 @@ grep -qF "needs a display" "$folder/said"
 test -s "$folder/3d.png" # the window as it is, with the sentence in place of the picture
 # A display with less OpenGL than is needed turns out in the thread that draws. Mesa can be told to be so old.
 status=0
-MESA_GL_VERSION_OVERRIDE=2.1 xvfb-run -a -s "-screen 0 1280x1024x24" \
+QT_QPA_PLATFORM=xcb MESA_GL_VERSION_OVERRIDE=2.1 xvfb-run -a -s "-screen 0 1280x1024x24" \
   "$desktop" --screenshot 3d -o "$folder/old.png" "$folder/site.gpkg" 2>"$folder/said" || status=$?
 cat "$folder/said"
 test "$status" = 4
