@@ -104,7 +104,7 @@ void SpaceCanvas::show_no_points() {
     scene_.set_moving(std::make_shared<const PointSet>());
     settle_.stop();
     still_ = StillPicture::None;
-    set_busy(false);
+    set_busy(true); // until it is known that there is OpenGL
     asked_ = scene_.draw(frame(SceneRenderer::Slot::Moving));
 }
 
@@ -219,6 +219,7 @@ void SpaceCanvas::take_picture(const ScenePicture& picture) {
     if (!is_still && frame_ms_ > kSlowFrame) slow_ = true;
     update();
     emit framed();
+    if (scans_.empty()) set_busy(false);
     if (!is_still || still_ != StillPicture::Made) return;
     still_ = StillPicture::Shown;
     set_busy(false);
