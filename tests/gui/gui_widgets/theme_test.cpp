@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <QApplication>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QImage>
 #include <QLabel>
@@ -109,6 +110,22 @@ TEST_CASE("Rows are as high as a finger needs, and letters as large, when the su
     }
     change_theme(ThemeKind::Light);
     CHECK(table->verticalHeader()->defaultSectionSize() == before);
+}
+
+TEST_CASE("Titles of docks are written as large as the theme writes") {
+    ensure_application();
+    const LightAgain afterwards;
+    const test::GuiProject site;
+    const auto title = [](MainWindow& window) {
+        auto* dock = window.findChild<QDockWidget*>(QStringLiteral("dock_units"));
+        return dock->grab(QRect(0, 0, 100, 24)).toImage();
+    };
+    auto window = opened(site);
+    change_theme(ThemeKind::Sunlight);
+    const QImage changed = title(*window);
+    window.reset();
+    window = opened(site);
+    CHECK(difference(changed, title(*window)).isEmpty());
 }
 
 TEST_CASE("Widgets that were asked for their size before they had a place take the sheet of where they stand") {
