@@ -28,6 +28,8 @@ if(TARGET planum-desktop AND NOT PLANUM_SANITIZE)
     $<TARGET_FILE:planum-desktop>)
   planum_program_test(gui/flight gui ${PROJECT_SOURCE_DIR}/tests/gui/flight.sh $<TARGET_FILE:planum> $<TARGET_FILE:planum-desktop>
     ${PROJECT_SOURCE_DIR}/schema/json)
+  # Two that look for a free display at once find the same one.
+  set_tests_properties(gui/without_opengl gui/flight PROPERTIES RESOURCE_LOCK display)
 endif()
 find_program(PLANUM_LUPDATE lupdate HINTS /usr/lib/qt6/bin)
 if(PLANUM_LUPDATE)
