@@ -3,6 +3,7 @@
 // ./dev bench evidence [FROM TO [SIZE [markers|auto]]]: each seed dug in all three ways
 // ./dev bench evidence history [SURFACES [MILLION POINTS]]: a day of five large scans after a long history
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -29,6 +30,11 @@ struct Sum {
     std::size_t hidden_mistakes = 0;
     double first = 0.0;
     double again = 0.0;
+    double volume_seconds = 0.0;
+    test::DugTally totals;
+    test::DugTally days;
+    test::DugTally bare;
+    test::DugTally units;
 
     void add(const test::EvidenceDig& dig) {
         tally += dig.tally;
@@ -38,6 +44,11 @@ struct Sum {
         hidden_mistakes += dig.hidden_mistakes.size();
         first += dig.first_seconds;
         again += dig.again_seconds;
+        volume_seconds += dig.volume_seconds;
+        totals += dig.volumes.total;
+        for (const test::ToldVolume& day : dig.volumes.days) days += day;
+        for (const test::ToldVolume& day : dig.volumes.bare) bare += day;
+        for (const test::ToldVolume& unit : dig.volumes.units) units += unit;
     }
 };
 
@@ -48,6 +59,11 @@ void print_sum(const std::string& name, const Sum& sum) {
                "again {:.2f} s a dig\n",
                "", sum.false_contradictions, sum.found_mistakes, sum.visible_mistakes, sum.hidden_mistakes,
                sum.first / sum.tally.digs, sum.again / sum.tally.digs);
+    sum.totals.print("  earth of whole digs");
+    sum.days.print("  of days");
+    sum.bare.print("  of days, from above");
+    sum.units.print("  of units, from above");
+    fmt::print("{:<24} volumes in {:.1f} s a dig\n", "", sum.volume_seconds / sum.tally.digs);
     std::fflush(stdout);
 }
 
@@ -71,12 +87,21 @@ int run(const std::vector<std::string>& arguments) {
             options.seed = seed;
             options.size = size == "small" ? app::demo::DemoSize::Small : app::demo::DemoSize::Medium;
             options.method = dug;
-            const test::EvidenceDig dig = test::evidence_of_dig(scratch / "dig", options, *method, loud);
+            const test::EvidenceDig dig = test::evidence_of_dig(scratch / "dig", options, *method, {loud, true});
             const std::string name = fmt::format("{} {} {}", seed, size, model::to_word(dug));
             Sum one;
             one.add(dig);
             print_sum(name, one);
             fmt::print("{:<24} {} of {} scans placed in {:.1f} s\n", "", dig.placed, dig.scans, dig.register_seconds);
+            for (const test::ToldVolume& day : dig.volumes.days) {
+                fmt::print("    {}: {:.2f} m³ dug, told {:+.2f} ± {:.2f} m³ of that\n", day.of, day.dug, day.error(),
+                           day.bound);
+            }
+            for (const test::ToldVolume& unit : dig.volumes.units) {
+                if (!loud || std::abs(unit.error()) <= unit.bound) continue;
+                fmt::print("    unit {}: {:.3f} m³, told {:+.3f} ± {:.3f} m³ of that\n", unit.of, unit.dug,
+                           unit.error(), unit.bound);
+            }
             for (const std::string& message : dig.false_contradictions) fmt::print("    false: {}\n", message);
             if (loud) {
                 for (const std::string& hidden : dig.hidden_mistakes) fmt::print("    not to be seen: {}\n", hidden);

@@ -165,7 +165,7 @@ void look_for_mistakes(EvidenceDig& result, const app::demo::DemoDig& dig, const
 } // namespace
 
 EvidenceDig evidence_of_dig(const fs::path& folder, const app::demo::SimulationOptions& options,
-                            app::RegisterMethod method, bool loud) {
+                            app::RegisterMethod method, const EvidenceWanted& wanted) {
     const app::demo::DemoDig dig = app::demo::simulate(options, Progress::none());
     app::demo::write_demo(dig, folder, Progress::none());
     app::Project project = project_of(folder / "dig.gpkg", folder / "record", options.method);
@@ -192,7 +192,7 @@ EvidenceDig evidence_of_dig(const fs::path& folder, const app::demo::SimulationO
         const auto more = numbered_as_formed(dig, project, area);
         conclusions.insert(conclusions.end(), more.begin(), more.end());
     }
-    result.tally = tally_of(dig, conclusions, loud);
+    result.tally = tally_of(dig, conclusions, wanted.loud);
 
     const auto evidence = app::surface_evidence(areas);
     for (const model::Diagnostic& d : app::check_record(project.record(), evidence, Progress::none()).problems) {
@@ -202,7 +202,12 @@ EvidenceDig evidence_of_dig(const fs::path& folder, const app::demo::SimulationO
     look_for_mistakes(result, dig,
                       app::check_record(mistaken.record(), carried_over(evidence, project, mistaken), Progress::none()),
                       mistaken);
-    if (loud) {
+    if (wanted.volumes) {
+        app::EarthReport report;
+        result.volume_seconds = seconds_of([&] { report = app::dug_earth(project, {}, Progress::none()); });
+        result.volumes = compare_volumes(dig, report);
+    }
+    if (wanted.loud) {
         const auto& formed = dig.formation.units();
         for (const app::AreaEvidence& area : areas) {
             for (const auto& [later, earlier] : result.tally.missed) {

@@ -8,6 +8,7 @@
 
 #include "app/demo/simulator.hpp"
 #include "app/registration/register_scans.hpp"
+#include "tests/support/dug_tally.hpp"
 #include "tests/support/evidence_tally.hpp"
 
 namespace planum::test {
@@ -26,12 +27,19 @@ struct EvidenceDig {
     double register_seconds = 0.0;
     double first_seconds = 0.0; ///< grids, evidence and conclusions
     double again_seconds = 0.0; ///< the same from what was kept
+    DugVolumesTold volumes;     ///< where they were asked for
+    double volume_seconds = 0.0;
+};
+
+struct EvidenceWanted {
+    bool loud = false; ///< says on stdout what is inverted, missed, no contact
+    bool volumes = false;
 };
 
 /// Writes the dig into the folder, imports its sheets, scans, markers and outlines into a project, registers, and
-/// gathers evidence. `loud`: says on stdout what is inverted, missed, no contact.
+/// gathers evidence.
 [[nodiscard]] EvidenceDig evidence_of_dig(const std::filesystem::path& folder,
                                           const app::demo::SimulationOptions& options, app::RegisterMethod method,
-                                          bool loud = false);
+                                          const EvidenceWanted& wanted = {});
 
 } // namespace planum::test

@@ -20,7 +20,7 @@ TEST_CASE("From the files of a dig nothing is proposed the wrong way round, and 
             options.seed = seed;
             options.method = method;
             const auto dig = test::evidence_of_dig(folder / "dig", options, app::RegisterMethod::Markers,
-                                                   std::getenv("PLANUM_LOUD") != nullptr);
+                                                   {std::getenv("PLANUM_LOUD") != nullptr, false});
             INFO("seed " << seed << ", " << model::to_word(method));
             CHECK(dig.placed == dig.scans);
             CHECK(dig.tally.inverted == 0);
