@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/surfaces/spot_heights.hpp"
 
+#include <utility>
+
 #include "core/base/uuid.hpp"
 #include "tests/support/catch.hpp"
 
@@ -56,4 +58,58 @@ TEST_CASE("Of all levels those of cuts that stand empty on the surface say how d
     CHECK(spots[0].z == 8.0);
     CHECK(spots[1].z == 8.5);
     CHECK(spots[1].hollow.size() == 1);
+}
+
+TEST_CASE("A part of a cut in which nothing was measured is as deep as the nearest depth of that cut says") {
+    model::Record record;
+    SeededUuids ids{2};
+    model::Surface surface;
+    surface.id = model::SurfaceId{ids.next()};
+    model::StratigraphicUnit cut;
+    cut.id = model::UnitId{ids.next()};
+    model::Region region = outline_of(cut, surface, model::RegionShows::Cut);
+    region.outline.push_back({{{2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {2, 1, 0}}, {}}); // beyond a baulk
+    record.regions = {region};
+    model::Level level;
+    level.unit = cut.id;
+    level.x = 0.5;
+    level.y = 0.5;
+    level.z = 8.0;
+    level.role = model::LevelRole::Base;
+    record.levels = {level};
+    const auto spots = app::spot_heights(record, surface);
+    REQUIRE(spots.size() == 2);
+    CHECK(spots[0].x == 0.5);
+    CHECK(spots[1].z == 8.0);
+    CHECK(spots[1].x > 2.0);
+    CHECK(spots[1].x < 3.0);
+    CHECK(spots[1].sigma > spots[0].sigma);
+    CHECK(spots[1].hollow != spots[0].hollow);
+}
+
+TEST_CASE("What is left of a fill lies in its pit as high as its top was measured, layers lie open") {
+    model::Record record;
+    SeededUuids ids{3};
+    model::Surface surface;
+    surface.id = model::SurfaceId{ids.next()};
+    model::StratigraphicUnit unit;
+    unit.id = model::UnitId{ids.next()};
+    unit.kind = model::UnitKind::Deposit;
+    unit.form = model::UnitForm::Fill;
+    record.units = {unit};
+    record.regions = {outline_of(unit, surface, model::RegionShows::Top)};
+    for (const auto& [role, z] : {std::pair{model::LevelRole::Top, 8.4}, std::pair{model::LevelRole::Base, 8.0}}) {
+        model::Level level;
+        level.unit = unit.id;
+        level.x = 0.5;
+        level.y = 0.5;
+        level.z = z;
+        level.role = role;
+        record.levels.push_back(level);
+    }
+    const auto spots = app::spot_heights(record, surface);
+    REQUIRE(spots.size() == 1);
+    CHECK(spots[0].z == 8.4);
+    record.units.front().form = model::UnitForm::Layer;
+    CHECK(app::spot_heights(record, surface).empty());
 }
