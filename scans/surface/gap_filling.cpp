@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/geometry/polygons.hpp"
+#include "scans/surface/leaning_sides.hpp"
 #include "scans/surface/spot_floors.hpp"
 
 namespace planum::scans {
@@ -51,6 +52,7 @@ class Filler {
         spread(Fences::Open); // what lies between fences only
         hints_hold_ = false;
         spread(Fences::Open); // where there is no ground under the lines of sight, or none but the floor of a hollow
+        continue_leaning_sides(filled_, grid_, fence_);
         doubt_shadows();
         return std::move(filled_);
     }
