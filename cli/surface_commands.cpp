@@ -49,6 +49,7 @@ ordered_json to_json(const app::EarthStep& step) {
     json.update(to_json(step.total));
     json.update(ordered_json{{"gone_m3", step.gone},
                              {"added_m3", step.added},
+                             {"overhung_m3", step.overhung},
                              {"filled_area_m2", step.filled},
                              {"unseen_area_m2", step.unseen},
                              {"units", to_json(step.units)}});
@@ -90,6 +91,8 @@ void print_units(const Context& context, const std::vector<app::EarthOfUnit>& un
 void print_step(const Context& context, const app::EarthStep& step) {
     *context.out << fmt::format("{} to {}: {:.3f} m³ dug, within {:.3f} m³ (95 %), on {:.2f} m²", step.before,
                                 step.after, rounded(step.total.net), step.total.bound, step.total.area);
+    if (std::abs(step.overhung) >= 0.0005)
+        *context.out << fmt::format(", {:.3f} m³ of it under overhangs, as far as their sides show", step.overhung);
     if (step.filled > 0.005)
         *context.out << fmt::format(", {:.2f} m² of them without ground that was seen", step.filled);
     *context.out << '\n';

@@ -115,6 +115,7 @@ class AreaEarth {
         result.total = earth_of(total);
         result.gone = total.gone;
         result.added = total.added;
+        result.overhung = total.overhung;
         result.filled = total.filled_area;
         result.unseen = total.unseen_area;
         return result;

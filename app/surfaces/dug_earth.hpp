@@ -31,6 +31,7 @@ struct EarthStep {
     Earth total;
     double gone = 0.0;              ///< where the ground is lower now [m³]
     double added = 0.0;             ///< where it is higher [m³]
+    double overhung = 0.0;          ///< of the total: from under overhangs, as their sides were seen to begin [m³]
     double filled = 0.0;            ///< of the area counted: sides, and what no scan saw but ground near it [m²]
     double unseen = 0.0;            ///< not counted: no ground was seen near [m²]
     std::vector<EarthOfUnit> units; ///< that lay bare on `before`; in the order of their names

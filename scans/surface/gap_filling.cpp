@@ -12,6 +12,7 @@
 
 #include "core/geometry/polygons.hpp"
 #include "scans/surface/leaning_sides.hpp"
+#include "scans/surface/overhangs.hpp"
 #include "scans/surface/spot_floors.hpp"
 
 namespace planum::scans {
@@ -22,6 +23,23 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr int kSweeps = 60;
 constexpr float kOverRelax = 1.6F;
 constexpr double kUprightStep = 0.03; // sides whose ends differ by less are no sides [m]
+
+/// Share of the square of side 1 around the origin where x·a + y·b > d, for a² + b² = 1.
+double share_beyond(double a, double b, double d) {
+    // The length of the square's projection is a trapezium: rising over `steep`, level over `flat`.
+    const double wide = std::max(std::abs(a), std::abs(b));
+    const double narrow = std::min(std::abs(a), std::abs(b));
+    const double reach = 0.5 * (wide + narrow);
+    const double level = 0.5 * (wide - narrow);
+    const double at = std::abs(d);
+    double beyond = 0.0;
+    if (at < level) {
+        beyond = 0.5 - at / wide;
+    } else if (at < reach) {
+        beyond = 0.5 * (reach - at) * (reach - at) / (wide * narrow);
+    }
+    return d >= 0.0 ? beyond : 1.0 - beyond;
+}
 
 class Filler {
   public:
@@ -34,6 +52,7 @@ class Filler {
         filled_.distance.assign(cells, 0.0F);
         filled_.was_seen.assign(cells, false);
         filled_.source.assign(cells, 0);
+        filled_.hollow.assign(cells, 0.0F);
         filled_.laid.assign(cells, false);
         for (std::size_t i = 0; i < cells; ++i) {
             filled_.source[i] = static_cast<std::uint32_t>(i);
@@ -43,8 +62,10 @@ class Filler {
     }
 
     FilledHeights fill(std::span<const SpotHeight> spots) {
+        std::vector<SpotHeight> floors(spots.begin(), spots.end());
+        for (const Overhang& overhang : find_overhangs(grid_, spots)) cover(overhang, floors);
         raise_fences();
-        lay_floors(filled_, grid_, fence_, spots, options_.doubt);
+        lay_floors(filled_, grid_, fence_, floors, options_.doubt);
         outline_hollows(spots);
         spread(Fences::Closed);
         relax();
@@ -87,23 +108,38 @@ class Filler {
         return static_cast<std::int32_t>(cell % static_cast<std::size_t>(frame_.columns));
     }
 
+    // Points of a side under an overhang are no side of the ground above it.
+    void cover(const Overhang& overhang, std::vector<SpotHeight>& floors) {
+        for (std::size_t i = 0; i < overhang.roof.size(); ++i) filled_.height[overhang.roof[i]] = overhang.ground[i];
+        const double mouth = static_cast<double>(overhang.mouth.size()) * frame_.cell * frame_.cell;
+        for (const std::size_t cell : overhang.mouth)
+            filled_.hollow[cell] += static_cast<float>(overhang.volume / mouth);
+        for (SpotHeight& floor : floors) {
+            if (floor.hollow == overhang.outline) floor.is_under_overhang = true;
+        }
+    }
+
+    [[nodiscard]] bool is_face(std::size_t cell) const {
+        return grid_.state[cell] == CellState::Face && std::isnan(filled_.height[cell]);
+    }
+
     // Faces, and the straight lines between near ones where no ground was seen: where points lie sparsely a wall shows
     // as a dotted line.
     void raise_fences() {
         fence_.assign(frame_.cells(), false);
         const auto reach = static_cast<std::int32_t>(std::lround(options_.fence_gap / frame_.cell));
         for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
-            if (grid_.state[cell] == CellState::Face) fence_[cell] = true;
+            if (is_face(cell)) fence_[cell] = true;
         }
         for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
-            if (grid_.state[cell] != CellState::Face) continue;
+            if (!is_face(cell)) continue;
             const std::int32_t row = row_of(cell);
             const std::int32_t column = column_of(cell);
             for (std::int32_t r = row; r <= std::min(frame_.rows - 1, row + reach); ++r) {
                 for (std::int32_t c = std::max(0, column - reach); c <= std::min(frame_.columns - 1, column + reach);
                      ++c) {
                     if (r == row && c <= column) continue;
-                    if (grid_.state[frame_.at(r, c)] == CellState::Face) connect(row, column, r, c);
+                    if (is_face(frame_.at(r, c))) connect(row, column, r, c);
                 }
             }
         }
@@ -311,12 +347,8 @@ class Filler {
             if (const auto ahead = side_ahead(cell, a, b)) return share_beyond(a, b, *ahead);
         }
         if (!is_face) return 0.5;
-        switch (lies(cell, ends)) {
-        case Lies::Low: return 0.0;
-        case Lies::High: return 1.0;
-        case Lies::Between: return 0.5;
-        }
-        return 0.5;
+        const Lies where = lies(cell, ends);
+        return where == Lies::Low ? 0.0 : where == Lies::High ? 1.0 : 0.5;
     }
 
     /// How far the side runs from the middle of a cell in the direction (a, b) [cells]: the mean of the faces along it
@@ -343,23 +375,6 @@ class Filler {
         }
         if (weights == 0.0) return std::nullopt;
         return sum / weights;
-    }
-
-    /// Share of the square of side 1 around the origin where x·a + y·b > d, for a² + b² = 1.
-    static double share_beyond(double a, double b, double d) {
-        // The length of the square's projection is a trapezium: rising over `steep`, level over `flat`.
-        const double wide = std::max(std::abs(a), std::abs(b));
-        const double narrow = std::min(std::abs(a), std::abs(b));
-        const double reach = 0.5 * (wide + narrow);
-        const double level = 0.5 * (wide - narrow);
-        const double at = std::abs(d);
-        double beyond = 0.0;
-        if (at < level) {
-            beyond = 0.5 - at / wide;
-        } else if (at < reach) {
-            beyond = 0.5 * (reach - at) * (reach - at) / (wide * narrow);
-        }
-        return d >= 0.0 ? beyond : 1.0 - beyond;
     }
 
     const SurfaceGrid& grid_;

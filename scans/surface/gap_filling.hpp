@@ -24,8 +24,9 @@ struct SpotHeight {
     double x = 0.0; ///< in site [m]
     double y = 0.0;
     double z = 0.0;
-    double sigma = 0.02;           ///< [m]
-    geometry::MultiPolygon hollow; ///< the outline of what it is the floor of, in plan of the site
+    double sigma = 0.02;            ///< [m]
+    geometry::MultiPolygon hollow;  ///< the outline of what it is the floor of, in plan of the site
+    bool is_under_overhang = false; ///< its sides recede (find_overhangs()): no side goes on down to the floor
 };
 
 /// Heights of a surface with its gaps closed.
@@ -38,6 +39,9 @@ struct FilledHeights {
     std::vector<bool> was_seen;      ///< Surface or Disputed
     /// Cell of the ground that a height was continued from first; the cell itself where ground was seen, and on sides.
     std::vector<std::uint32_t> source;
+    /// What is hollow under the ground of a cell, as far as the sides of a pit were seen to recede [m]. That of a pit
+    /// is shared out over its mouth.
+    std::vector<float> hollow;
     std::vector<bool> laid; ///< a floor that a spot height says, or what was seen of sides continued down to it
 };
 
@@ -48,7 +52,8 @@ struct FilledHeights {
 /// that is no higher is continued. Where a side is several cells wide, its cells lie where their points do.
 ///
 /// Where no scanner looked into a hollow, `spots` say how deep it is (lay_floors()). That floor ends at its outline:
-/// what nobody saw beside it is continued from other ground, where there is any.
+/// what nobody saw beside it is continued from other ground, where there is any. Under the sides of a pit that widens
+/// downwards (find_overhangs()) ground lies as high as around; what is hollow there is told beside the heights.
 [[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {},
                                       std::span<const SpotHeight> spots = {});
 

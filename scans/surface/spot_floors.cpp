@@ -40,7 +40,7 @@ class Floors {
         if (!start) return;
         const std::vector<Place> floor = unseen_around(*start, spot);
         most_distance_ = 0.5 * std::sqrt(static_cast<double>(floor.size())) * frame_.cell;
-        continue_sides(floor, spot);
+        if (!spot.is_under_overhang) continue_sides(floor, spot);
         for (const Place& place : floor) {
             const std::size_t cell = frame_.at(place.row, place.column);
             if (!std::isnan(filled_.height[cell])) continue;

@@ -64,7 +64,13 @@ class Counter {
 
     [[nodiscard]] double depth_at(std::int32_t row, std::int32_t column) const {
         return static_cast<double>(filled_before_.height[cell_in(before_.frame, frame_, row, column)]) -
-               static_cast<double>(filled_after_.height[cell_in(after_.frame, frame_, row, column)]);
+               static_cast<double>(filled_after_.height[cell_in(after_.frame, frame_, row, column)]) +
+               overhung_at(row, column);
+    }
+
+    [[nodiscard]] double overhung_at(std::int32_t row, std::int32_t column) const {
+        return static_cast<double>(filled_after_.hollow[cell_in(after_.frame, frame_, row, column)]) -
+               static_cast<double>(filled_before_.hollow[cell_in(before_.frame, frame_, row, column)]);
     }
 
     void add(std::int32_t row, std::int32_t column, std::size_t label) {
@@ -81,6 +87,7 @@ class Counter {
             return;
         }
         volume.net += depth * area;
+        volume.overhung += overhung_at(row, column) * area;
         (depth > 0.0 ? volume.gone : volume.added) += std::abs(depth) * area;
         Sums& sums = sums_[label];
         bool filled = false;
@@ -135,7 +142,9 @@ class Counter {
         const double area = frame_.cell * frame_.cell;
         const double along = std::max(1.0, options_.outline_alike / frame_.cell);
         const double edge = options_.outline_sigma * frame_.cell;
+        const double overhung = options_.overhang_doubt * volume.overhung;
         volume.sigma = std::sqrt(
+            overhung * overhung +
             area * area *
                 (sums.free + sums.filled + sums.pose_before * sums.pose_before + sums.pose_after * sums.pose_after) +
             edge * edge * along * sums.outline);
