@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLevelSigma = 0.02; // of a level, and of a floor that is not quite level [m]
 constexpr double kApartSigma = 0.1;  // of a floor that was measured in another part of the cut [m]
+constexpr double kFarthest = 1.5;    // no floor is level farther away, as that of a ditch [m]
 constexpr double kBeside = 0.1;      // from an outline that a hand drew [m]
 
 bool is_fill(const model::Record& record, model::UnitId unit) {
@@ -33,7 +34,7 @@ bool says_height(const model::Record& record, const model::Region& region, const
 }
 
 // A pit that a baulk parts in two is as deep on both sides, though the staff stood on one: for a part in which
-// none was measured the nearest holds.
+// none was measured the nearest holds, if it is near.
 void add_spots(const geometry::MultiPolygon& part, const std::vector<const model::Level*>& levels,
                std::vector<scans::SpotHeight>& spots) {
     const std::size_t before = spots.size();
@@ -49,7 +50,7 @@ void add_spots(const geometry::MultiPolygon& part, const std::vector<const model
     };
     const model::Level* nearest = *std::min_element(
         levels.begin(), levels.end(), [&](const auto* a, const auto* b) { return distance(a) < distance(b); });
-    spots.push_back({x, y, nearest->z, kApartSigma, part});
+    if (distance(nearest) <= kFarthest) spots.push_back({x, y, nearest->z, kApartSigma, part});
 }
 
 } // namespace

@@ -17,6 +17,7 @@ using model::UnitKind;
 using Pair = std::pair<UnitNumber, UnitNumber>;
 
 constexpr double kLeastArea = 0.012;      // of all cells of a pair; outlines take from small contacts [m²]
+constexpr double kLeastAsked = 0.008;     // less is not even asked of [m²]
 constexpr double kLeastClearArea = 0.004; // of those away from outlines [m²]
 constexpr double kWorthAsking = 0.1;      // [m²]
 constexpr double kInside = 0.9;           // share of what touches a unit, from which on it lies inside
@@ -79,8 +80,9 @@ class Step {
     [[nodiscard]] std::vector<Conclusion> conclude() const {
         std::vector<Conclusion> conclusions;
         for (const Succession& s : step_.successions) {
-            if (s.first == s.then || static_cast<double>(s.cells) * area_ < kLeastArea) continue;
-            if (static_cast<double>(s.lower + s.thin) * area_ < kLeastClearArea) {
+            const double all = static_cast<double>(s.cells) * area_;
+            if (s.first == s.then || all < kLeastAsked) continue;
+            if (all < kLeastArea || static_cast<double>(s.lower + s.thin) * area_ < kLeastClearArea) {
                 if (may_ask_of_edges(s)) conclusions.push_back(ask(s, Ground::OnlyAlongOutlines));
                 continue;
             }
