@@ -19,23 +19,11 @@ constexpr double kAround = 0.15;    // ground so near says how high the rim is [
 constexpr double kLeastDeep = 0.12; // higher faces may belong to the rim [m]
 constexpr double kRim = 0.15;       // the ground around a hollow, for its depth [m]
 constexpr double kRimShare = 0.25;  // of its cells that lie lower: a wall or a field may stand beside it
+constexpr double kPiece = 0.05;     // of an outline that is looked at at once [m]
+constexpr double kBordering = 0.06; // hands draw a line that two outlines share twice [m]
 constexpr double kWidens = 0.15;
 constexpr double kCollapses = 0.5; // no earth stays up over more
 constexpr std::size_t kLeastFaces = 12;
-
-double length_of(const geometry::MultiPolygon& shape) {
-    double length = 0.0;
-    for (const auto& polygon : shape) {
-        if (polygon.empty()) continue;
-        const geometry::Line3& ring = polygon.front();
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const auto& a = ring[i];
-            const auto& b = ring[(i + 1) % ring.size()];
-            length += std::hypot(b[0] - a[0], b[1] - a[1]);
-        }
-    }
-    return length;
-}
 
 double quantile(std::vector<double>& values, double share) {
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
@@ -71,7 +59,7 @@ class Hollow {
                 const std::size_t cell = frame_.at(row, column);
                 if (grid_.state[cell] != CellState::Face) continue;
                 const double outside = outside_at(row, column);
-                if (outside < -kInside || outside > kReach || is_in_another(row, column)) continue;
+                if (outside < -kInside || outside > kReach || is_in_another(frame_.x(column), frame_.y(row))) continue;
                 const std::optional<double> ground = ground_at(row, column);
                 if (!ground) continue;
                 const double deep = *ground - static_cast<double>(grid_.height[cell]);
@@ -86,14 +74,48 @@ class Hollow {
         found.widening = quantile(rates, 0.5);
         found.depth = quantile(rim_, kRimShare) - floor_;
         const double out = found.widening * found.depth;
-        found.volume = found.depth * (0.5 * length_of(outline_) * out + std::numbers::pi / 3.0 * out * out);
-        const double radius = std::sqrt(geometry::area(outline_) / std::numbers::pi);
+        const Length around = length();
+        const double corners = std::numbers::pi / 3.0 * out * out * around.free / around.all;
+        found.volume = found.depth * (0.5 * around.free * out + corners);
+        const double radius = around.all / (2.0 * std::numbers::pi);
         if (found.widening < kWidens || found.widening > kCollapses || found.depth < kLeastDeep || out > radius)
             return std::nullopt;
         return found;
     }
 
   private:
+    struct Length {
+        double all = 0.0;  // of the outline [m]
+        double free = 0.0; // with no other hollow beyond it: the line of a section through a pit has no overhang
+    };
+
+    [[nodiscard]] Length length() const {
+        Length length;
+        for (const geometry::Rings& rings : outline_) {
+            if (rings.empty()) continue;
+            const geometry::Line3& ring = rings.front();
+            const double turn = geometry::signed_area(ring) > 0.0 ? 1.0 : -1.0;
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const geometry::Point3& a = ring[i];
+                const geometry::Point3& b = ring[(i + 1) % ring.size()];
+                const double east = b[0] - a[0];
+                const double north = b[1] - a[1];
+                const double side = std::hypot(east, north);
+                if (side == 0.0) continue;
+                const double pieces = std::max(1.0, std::ceil(side / kPiece));
+                const double out = turn * kBordering / side;
+                for (double piece = 0.5; piece < pieces; piece += 1.0) {
+                    const double share = piece / pieces;
+                    const double x = a[0] + share * east + out * north;
+                    const double y = a[1] + share * north - out * east;
+                    length.all += side / pieces;
+                    if (!is_in_another(x, y)) length.free += side / pieces;
+                }
+            }
+        }
+        return length;
+    }
+
     // How far outside the outline a cell lies, negative inside [m].
     [[nodiscard]] double outside_at(std::int32_t row, std::int32_t column) const {
         return outside_[static_cast<std::size_t>(row - first_row_) *
@@ -117,9 +139,9 @@ class Hollow {
         }
     }
 
-    [[nodiscard]] bool is_in_another(std::int32_t row, std::int32_t column) const {
+    [[nodiscard]] bool is_in_another(double x, double y) const {
         return std::any_of(others_.begin(), others_.end(), [&](const geometry::MultiPolygon* other) {
-            return other != &outline_ && geometry::contains(*other, frame_.x(column), frame_.y(row));
+            return other != &outline_ && geometry::contains(*other, x, y);
         });
     }
 
@@ -158,6 +180,7 @@ class Hollow {
 } // namespace
 
 std::vector<Overhang> find_overhangs(const SurfaceGrid& grid, std::span<const SpotHeight> spots) {
+    if (grid.frame.cells() == 0) return {};
     std::vector<const geometry::MultiPolygon*> hollows;
     std::vector<double> floors;
     for (const SpotHeight& spot : spots) {

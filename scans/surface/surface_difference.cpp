@@ -26,6 +26,8 @@ struct Sums {
     double free = 0.0;   // variance of what differs from cell to cell [m²]
     double filled = 0.0; // of what is alike over a while
     double outline = 0.0;
+    double overhung_more = 0.0; // under overhangs of the later surface, beyond those of the earlier [m]
+    double overhung_less = 0.0;
     double pose_before = 0.0; // sum of σ [m]
     double pose_after = 0.0;
 };
@@ -87,9 +89,11 @@ class Counter {
             return;
         }
         volume.net += depth * area;
-        volume.overhung += overhung_at(row, column) * area;
+        const double overhung = overhung_at(row, column);
+        volume.overhung += overhung * area;
         (depth > 0.0 ? volume.gone : volume.added) += std::abs(depth) * area;
         Sums& sums = sums_[label];
+        (overhung > 0.0 ? sums.overhung_more : sums.overhung_less) += overhung;
         bool filled = false;
         const bool hidden = !filled_before_.was_seen[cell_in(before_.frame, frame_, row, column)] &&
                             !filled_after_.was_seen[cell_in(after_.frame, frame_, row, column)];
@@ -142,7 +146,7 @@ class Counter {
         const double area = frame_.cell * frame_.cell;
         const double along = std::max(1.0, options_.outline_alike / frame_.cell);
         const double edge = options_.outline_sigma * frame_.cell;
-        const double overhung = options_.overhang_doubt * volume.overhung;
+        const double overhung = options_.overhang_doubt * area * std::hypot(sums.overhung_more, sums.overhung_less);
         volume.sigma = std::sqrt(
             overhung * overhung +
             area * area *

@@ -34,28 +34,28 @@ SurfaceGrid built(const Shots& shots) {
 
 /// Even ground with a round pit, of whose side scanners at the rim see the upper half meter all around, and of the
 /// floor nothing.
-SurfaceGrid ground_with_pit(const Radius& radius) {
+SurfaceGrid ground_with_pit(const Radius& radius, double middle = kMiddle) {
     Shots shots(3);
     for (int i = 0; i < 100000; ++i) {
         const double x = shots.uniform(-0.1, 2.1);
         const double y = shots.uniform(-0.1, 2.1);
-        if (std::hypot(x - kMiddle, y - kMiddle) > kMouth) shots.add(x, y, kGround + 0.002 * shots.normal());
+        if (std::hypot(x - middle, y - kMiddle) > kMouth) shots.add(x, y, kGround + 0.002 * shots.normal());
     }
     for (int i = 0; i < 30000; ++i) {
         const double angle = shots.uniform(0.0, 2.0 * std::numbers::pi);
         const double z = shots.uniform(kGround - 0.5, kGround);
-        shots.add(kMiddle + radius(z) * std::cos(angle), kMiddle + radius(z) * std::sin(angle), z);
+        shots.add(middle + radius(z) * std::cos(angle), kMiddle + radius(z) * std::sin(angle), z);
     }
     return built(shots);
 }
 
-std::vector<SpotHeight> floor_spot(double radius = kMouth) {
+std::vector<SpotHeight> floor_spot(double radius = kMouth, double middle = kMiddle) {
     geometry::Line3 ring;
     for (int i = 0; i < 60; ++i) {
         const double angle = i * std::numbers::pi / 30.0;
-        ring.push_back({kMiddle + radius * std::cos(angle), kMiddle + radius * std::sin(angle), 0.0});
+        ring.push_back({middle + radius * std::cos(angle), kMiddle + radius * std::sin(angle), 0.0});
     }
-    return {{kMiddle, kMiddle, kFloor, 0.02, {{ring}}}};
+    return {{middle, kMiddle, kFloor, 0.02, {{ring}}}};
 }
 
 double bell(double z) { return kMouth + 0.25 * (kGround - z); }
@@ -123,4 +123,34 @@ TEST_CASE("A pit that widens downwards counts with what lies under its overhang,
     CHECK(std::abs(volume.net - dug) < volume.bound());
     CHECK(volume.net == Approx(dug).epsilon(0.1)); // without it a third is missing
     CHECK(volume.bound() < 0.5 * dug);
+}
+
+TEST_CASE("The line of a section through a pit has no overhang") {
+    const SurfaceGrid grid = ground_with_pit(bell);
+    const auto half = [](double side) {
+        SpotHeight spot = floor_spot().front();
+        geometry::Line3 ring;
+        for (int i = 0; i <= 60; ++i) {
+            const double angle = i * std::numbers::pi / 60.0;
+            ring.push_back({kMiddle + kMouth * std::cos(angle), kMiddle + side * kMouth * std::sin(angle), 0.0});
+        }
+        spot.y += 0.1 * side;
+        spot.hollow = {{ring}};
+        return spot;
+    };
+    const std::vector<SpotHeight> spots = {half(1.0), half(-1.0)};
+    double volume = 0.0;
+    for (const Overhang& found : find_overhangs(grid, spots)) volume += found.volume;
+    CHECK(volume == Approx(find_overhangs(grid, floor_spot())[0].volume).epsilon(0.15)); // each by itself: 1.6 times
+}
+
+TEST_CASE("What comes to light under one overhang takes nothing from the bound of another that goes") {
+    VolumeOptions options;
+    options.spots_before = floor_spot(kMouth, 0.55);
+    options.spots_after = floor_spot(kMouth, 1.45);
+    options.undug.reset();
+    const DugVolume volume = dug_volumes(ground_with_pit(bell, 0.55), ground_with_pit(bell, 1.45), {}, 1, options)[0];
+    const double under = under_overhang(bell);
+    CHECK(volume.overhung == Approx(0.0).margin(0.1 * under));
+    CHECK(volume.sigma > 0.8 * options.overhang_doubt * std::sqrt(2.0) * under);
 }
