@@ -66,7 +66,7 @@ class Gatherer {
   private:
     [[nodiscard]] scans::SurfaceGrid heights(const model::Surface& surface) const {
         return seen_surface(project_, surface.id, area_.frame, surface_key(record_, surface.id, area_.frame),
-                              progress_);
+                            progress_);
     }
 
     [[nodiscard]] scans::LabelledSurface labelled(const model::Surface& surface, const scans::SurfaceGrid& grid,

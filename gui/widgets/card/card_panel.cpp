@@ -202,7 +202,8 @@ void CardPanel::show_card() {
     new_number_->setPlaceholderText(tr("new unit: %1").arg(models_.card.next_number()));
     setEnabled(models_.workspace.is_open());
     const bool writable = models_.workspace.read_only_because().isEmpty();
-    for (QWidget* part : std::initializer_list<QWidget*>{new_number_, add_, delete_, entry_}) part->setEnabled(writable);
+    for (QWidget* part : std::initializer_list<QWidget*>{new_number_, add_, delete_, entry_})
+        part->setEnabled(writable);
     if (!any) return;
     title_->setText(tr("Unit %1").arg(models_.card.name()));
     subtitle_->setText(models_.workspace.read_only_because());
