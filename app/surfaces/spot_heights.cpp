@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "app/regions/outline.hpp"
 #include "core/geometry/polygon_overlay.hpp"
@@ -33,38 +35,66 @@ bool says_height(const model::Record& record, const model::Region& region, const
            is_fill(record, region.unit);
 }
 
-// A pit that a baulk parts in two is as deep on both sides, though the staff stood on one: for a part in which
-// none was measured the nearest holds, if it is near.
-void add_spots(const geometry::MultiPolygon& part, const std::vector<const model::Level*>& levels,
-               std::vector<scans::SpotHeight>& spots) {
-    const std::size_t before = spots.size();
-    for (const model::Level* level : levels) {
-        if (geometry::contains(part, *level->x, *level->y) ||
-            geometry::distance_to_outline(part, *level->x, *level->y) <= kBeside)
-            spots.push_back({*level->x, *level->y, level->z, kLevelSigma, part});
+struct Part {
+    const model::Region* region;
+    geometry::MultiPolygon outline;
+};
+
+std::vector<Part> parts_of(const model::Record& record, const model::Surface& surface) {
+    std::vector<Part> parts;
+    for (const model::Region& region : record.regions) {
+        if (region.surface != surface.id || region.unit.is_nil() || !region.section.is_nil()) continue;
+        for (const geometry::Rings& rings : shape_of(region.outline)) {
+            const geometry::MultiPolygon outline = {rings};
+            if (!rings.empty() && rings.front().size() >= 3 && geometry::area(outline) >= geometry::kLeastArea)
+                parts.push_back({&region, outline});
+        }
     }
-    if (spots.size() > before) return;
-    const auto [x, y] = geometry::inner_place(part);
-    const auto distance = [x = x, y = y](const model::Level* level) {
-        return std::hypot(*level->x - x, *level->y - y);
-    };
-    const model::Level* nearest = *std::min_element(
-        levels.begin(), levels.end(), [&](const auto* a, const auto* b) { return distance(a) < distance(b); });
-    if (distance(nearest) <= kFarthest) spots.push_back({x, y, nearest->z, kApartSigma, part});
+    return parts;
+}
+
+bool holds(const Part& part, const model::Level& level) {
+    return geometry::contains(part.outline, *level.x, *level.y) ||
+           geometry::distance_to_outline(part.outline, *level.x, *level.y) <= kBeside;
+}
+
+// A pit that a baulk parts in two is as deep on both sides, though the staff stood on one: for a part in which
+// none was measured the nearest holds, if it is near. What was measured where another unit lies on this surface, as at
+// the bottom of a pit that is half emptied, says nothing.
+std::optional<scans::SpotHeight> from_another(const Part& part, const std::vector<Part>& parts,
+                                              const std::vector<const model::Level*>& levels) {
+    const auto [x, y] = geometry::inner_place(part.outline);
+    const model::Level* nearest = nullptr;
+    double least = kFarthest;
+    for (const model::Level* level : levels) {
+        const double distance = std::hypot(*level->x - x, *level->y - y);
+        const bool is_covered = std::any_of(parts.begin(), parts.end(), [&](const Part& other) {
+            return other.region->unit != part.region->unit && geometry::contains(other.outline, *level->x, *level->y);
+        });
+        if (is_covered || distance > least) continue;
+        least = distance;
+        nearest = level;
+    }
+    if (nearest == nullptr) return std::nullopt;
+    return scans::SpotHeight{x, y, nearest->z, kApartSigma, part.outline};
 }
 
 } // namespace
 
 std::vector<scans::SpotHeight> spot_heights(const model::Record& record, const model::Surface& surface) {
     std::vector<scans::SpotHeight> spots;
-    for (const model::Region& region : record.regions) {
-        if (region.surface != surface.id || region.unit.is_nil() || !region.section.is_nil()) continue;
+    const std::vector<Part> parts = parts_of(record, surface);
+    for (const Part& part : parts) {
         std::vector<const model::Level*> levels;
         for (const model::Level& level : record.levels) {
-            if (says_height(record, region, level)) levels.push_back(&level);
+            if (says_height(record, *part.region, level)) levels.push_back(&level);
         }
-        if (levels.empty()) continue;
-        for (const geometry::Rings& part : shape_of(region.outline)) add_spots({part}, levels, spots);
+        const std::size_t before = spots.size();
+        for (const model::Level* level : levels) {
+            if (holds(part, *level)) spots.push_back({*level->x, *level->y, level->z, kLevelSigma, part.outline});
+        }
+        if (spots.size() > before || levels.empty()) continue;
+        if (auto spot = from_another(part, parts, levels)) spots.push_back(*std::move(spot));
     }
     return spots;
 }

@@ -81,7 +81,7 @@ Owned to_geos(const Geos& geos, const MultiPolygon& shape) {
     const auto h = geos.handle();
     std::vector<GEOSGeometry*> parts;
     for (const Rings& rings : shape) {
-        if (rings.empty()) continue;
+        if (rings.empty() || rings.front().empty()) continue;
         std::vector<GEOSGeometry*> made;
         for (const Line3& ring : rings) made.push_back(ring_of(geos, ring));
         parts.push_back(

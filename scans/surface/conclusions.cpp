@@ -16,7 +16,6 @@ using model::UnitForm;
 using model::UnitKind;
 using Pair = std::pair<UnitNumber, UnitNumber>;
 
-constexpr double kLeastArea = 0.012;      // of all cells of a pair; outlines take from small contacts [m²]
 constexpr double kLeastAsked = 0.008;     // less is not even asked of [m²]
 constexpr double kLeastClearArea = 0.004; // of those away from outlines [m²]
 constexpr double kWorthAsking = 0.1;      // [m²]
@@ -82,7 +81,7 @@ class Step {
         for (const Succession& s : step_.successions) {
             const double all = static_cast<double>(s.cells) * area_;
             if (s.first == s.then || all < kLeastAsked) continue;
-            if (all < kLeastArea || static_cast<double>(s.lower + s.thin) * area_ < kLeastClearArea) {
+            if (all < kLeastProposed || static_cast<double>(s.lower + s.thin) * area_ < kLeastClearArea) {
                 if (may_ask_of_edges(s)) conclusions.push_back(ask(s, Ground::OnlyAlongOutlines));
                 continue;
             }
@@ -172,7 +171,7 @@ class Step {
     [[nodiscard]] bool other_fill_left(UnitNumber layer, UnitNumber cut) const {
         return std::any_of(step_.successions.begin(), step_.successions.end(), [&](const Succession& s) {
             return s.then == cut && s.first != layer && nature(s.first).fills_cuts() &&
-                   static_cast<double>(s.cells) * area_ >= kLeastArea;
+                   static_cast<double>(s.cells) * area_ >= kLeastProposed;
         });
     }
 

@@ -13,6 +13,9 @@
 
 namespace planum::scans {
 
+/// Of a pair that lies on less in all nothing is proposed: outlines drawn a little off do as much [m²].
+inline constexpr double kLeastProposed = 0.012;
+
 /// Why something was concluded, or why it had to be asked; the sentences are made from these.
 enum class Ground {
     LayBareBelow,     ///< stratigraphic: `other` lay bare where `unit` had been dug away

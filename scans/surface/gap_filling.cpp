@@ -26,7 +26,7 @@ constexpr double kUprightStep = 0.03; // sides whose ends differ by less are no 
 
 /// Share of the square of side 1 around the origin where x·a + y·b > d, for a² + b² = 1.
 double share_beyond(double a, double b, double d) {
-    // The length of the square's projection is a trapezium: rising over `steep`, level over `flat`.
+    // The square's projection is a trapezium: level as far as `level`, falling to `reach`.
     const double wide = std::max(std::abs(a), std::abs(b));
     const double narrow = std::min(std::abs(a), std::abs(b));
     const double reach = 0.5 * (wide + narrow);
@@ -155,7 +155,7 @@ class Filler {
         for (std::int32_t i = 1; i < steps; ++i) {
             if (filled_.was_seen[at(i)]) return;
         }
-        for (std::int32_t i = 1; i < steps; ++i) fence_[at(i)] = true;
+        for (std::int32_t i = 1; i < steps; ++i) fence_[at(i)] = fence_[at(i)] || std::isnan(filled_.height[at(i)]);
     }
 
     [[nodiscard]] float side_east(std::size_t cell) const {

@@ -72,7 +72,7 @@ class Leaning {
     [[nodiscard]] Eigen::Vector2d middle_of(std::size_t cell) const { return {column_of(cell), row_of(cell)}; }
 
     [[nodiscard]] bool shows_side(std::size_t cell) const {
-        return grid_.state[cell] == CellState::Face && !std::isnan(grid_.side_east[cell]);
+        return fence_[cell] && grid_.state[cell] == CellState::Face && !std::isnan(grid_.side_east[cell]);
     }
 
     [[nodiscard]] bool is_gap(std::size_t cell) const {
@@ -129,8 +129,11 @@ class Leaning {
         return nearest;
     }
 
+    // One plane for each few cells: it changes slowly along a side.
     const std::optional<Side>& side_at(std::size_t face) {
-        const auto [at, is_new] = sides_.try_emplace(face);
+        constexpr std::int32_t kBlock = 4; // [cells]
+        const std::size_t block = frame_.at(row_of(face) / kBlock * kBlock, column_of(face) / kBlock * kBlock);
+        const auto [at, is_new] = sides_.try_emplace(block);
         if (is_new) at->second = fit(faces_with(face));
         return at->second;
     }
@@ -223,7 +226,7 @@ class Leaning {
     const std::vector<bool>& fence_;
     std::vector<std::uint32_t> stamp_; // when a face was met last
     std::uint32_t now_ = 0;
-    std::unordered_map<std::size_t, std::optional<Side>> sides_; // by face
+    std::unordered_map<std::size_t, std::optional<Side>> sides_; // by the first cell of a block
 };
 
 } // namespace

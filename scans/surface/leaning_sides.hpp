@@ -13,9 +13,10 @@ namespace planum::scans {
 ///
 /// How a side leans is the plane through its faces within 30 cm that hang together, by least squares, each where its
 /// points lie in its cell (SurfaceGrid::side_east), with `fence` for what a side is. It counts where the faces reach
-/// over at least two cells across the side, so that the edges of cells are not taken for a lean, and the plane says
-/// four fifths of how their heights differ. Cells above a line of sight, those that were seen and floors that spot
-/// heights laid stay as they are.
+/// over 0.7 cells across the side and the plane says half of how their points differ in height, within cells too, so
+/// that the edges of cells are not taken for a lean. Cells of the side itself take their heights from the plane as
+/// well. Gaps in which it would rise above a line of sight, cells that were seen and floors that spot heights laid stay
+/// as they are.
 void continue_leaning_sides(FilledHeights& filled, const SurfaceGrid& grid, const std::vector<bool>& fence);
 
 } // namespace planum::scans

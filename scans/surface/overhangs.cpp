@@ -22,8 +22,10 @@ constexpr double kRimShare = 0.25;  // of its cells that lie lower: a wall or a 
 constexpr double kPiece = 0.05;     // of an outline that is looked at at once [m]
 constexpr double kBordering = 0.06; // hands draw a line that two outlines share twice [m]
 constexpr double kWidens = 0.15;
-constexpr double kCollapses = 0.5; // no earth stays up over more
-constexpr std::size_t kLeastFaces = 12;
+constexpr double kCollapses = 0.5;  // no earth stays up over more
+constexpr double kSurely = 0.02;    // it widens by so much though the outline lay kInside farther out
+constexpr double kLeastSide = 0.24; // so many faces, one beside the other [m]
+constexpr double kLargest = 3.0;    // what is wider is no pit [m]
 
 double quantile(std::vector<double>& values, double share) {
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
@@ -50,27 +52,34 @@ class Hollow {
     }
 
     [[nodiscard]] std::optional<Overhang> overhang() {
+        const geometry::Extent extent = geometry::extent(outline_);
+        if (extent.high[0] - extent.low[0] > kLargest || extent.high[1] - extent.low[1] > kLargest) return std::nullopt;
         Overhang found;
         found.outline = outline_;
         measure(found);
         std::vector<double> rates;
+        std::vector<double> sure_rates;
         for (std::int32_t row = first_row_; row <= last_row_; ++row) {
             for (std::int32_t column = first_column_; column <= last_column_; ++column) {
                 const std::size_t cell = frame_.at(row, column);
                 if (grid_.state[cell] != CellState::Face) continue;
                 const double outside = outside_at(row, column);
-                if (outside < -kInside || outside > kReach || is_in_another(frame_.x(column), frame_.y(row))) continue;
+                if (outside < -kInside || outside > kReach || is_of_another(frame_.x(column), frame_.y(row))) continue;
                 const std::optional<double> ground = ground_at(row, column);
                 if (!ground) continue;
                 const double deep = *ground - static_cast<double>(grid_.height[cell]);
                 if (deep < -kLeastDeep || static_cast<double>(grid_.height[cell]) < floor_ - kLeastDeep) continue;
-                if (deep >= kLeastDeep) rates.push_back(outside / deep);
+                if (deep >= kLeastDeep) {
+                    rates.push_back(outside / deep);
+                    sure_rates.push_back((outside - kInside) / deep);
+                }
                 if (outside <= 0.0) continue;
                 found.roof.push_back(cell); // those too of which the ground above shows more points
                 found.ground.push_back(static_cast<float>(*ground));
             }
         }
-        if (rates.size() < kLeastFaces || found.mouth.empty() || rim_.empty()) return std::nullopt;
+        if (static_cast<double>(rates.size()) * frame_.cell < kLeastSide || found.mouth.empty() || rim_.empty())
+            return std::nullopt;
         found.widening = quantile(rates, 0.5);
         found.depth = quantile(rim_, kRimShare) - floor_;
         const double out = found.widening * found.depth;
@@ -78,7 +87,8 @@ class Hollow {
         const double corners = std::numbers::pi / 3.0 * out * out * around.free / around.all;
         found.volume = found.depth * (0.5 * around.free * out + corners);
         const double radius = around.all / (2.0 * std::numbers::pi);
-        if (found.widening < kWidens || found.widening > kCollapses || found.depth < kLeastDeep || out > radius)
+        if (found.widening < kWidens || found.widening > kCollapses || quantile(sure_rates, 0.5) < kSurely ||
+            found.depth < kLeastDeep || out > radius)
             return std::nullopt;
         return found;
     }
@@ -143,6 +153,19 @@ class Hollow {
         return std::any_of(others_.begin(), others_.end(), [&](const geometry::MultiPolygon* other) {
             return other != &outline_ && geometry::contains(*other, x, y);
         });
+    }
+
+    // A side of another hollow, wherever the hand drew it.
+    [[nodiscard]] bool is_of_another(double x, double y) const {
+        return std::any_of(others_.begin(), others_.end(), [&](const geometry::MultiPolygon* other) {
+            return other != &outline_ &&
+                   (geometry::contains(*other, x, y) || geometry::distance_to_outline(*other, x, y) < kInside) &&
+                   !is_near_outline(x, y);
+        });
+    }
+
+    [[nodiscard]] bool is_near_outline(double x, double y) const {
+        return geometry::distance_to_outline(outline_, x, y) < kInside;
     }
 
     [[nodiscard]] bool is_ground(std::size_t cell) const {

@@ -23,10 +23,10 @@ struct Overhang {
 
 /// The hollows among `spots` that widen downwards. From the rim of a trench a scanner sees the upper part of the far
 /// side of a pit: of every face there the distance from the outline over its depth below the ground around. Their
-/// median is how fast the side recedes; 15 cm a metre and more over at least a dozen faces is an overhang, what is less
-/// may be the hand that drew the line, and what is steeper than earth stays up is something else. The hollow then is a
-/// frustum of a cone over its outline, which for a pit of 80 cm that opens to one and two thirds of its mouth gives
-/// five sixths of what lies under the overhang.
+/// median is how fast the side recedes; 15 cm a metre and more is an overhang, what is less,
+/// or would be less than 2 cm a metre had the line been drawn 3 cm farther out, may be the hand that drew it, and what
+/// is steeper than earth stays up is something else. The hollow then is a frustum of a cone over its outline, which for
+/// a pit of 80 cm that opens to one and two thirds of its mouth gives five sixths of what lies under the overhang.
 [[nodiscard]] std::vector<Overhang> find_overhangs(const SurfaceGrid& grid, std::span<const SpotHeight> spots);
 
 } // namespace planum::scans

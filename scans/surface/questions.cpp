@@ -61,9 +61,8 @@ class KnownOrders {
 
 // How often two units of whom this is asked touched, in simulated digs.
 double likelihood_of_contact(const Conclusion& question) {
-    constexpr double kSmall = 0.012; // outlines drawn a little off do as much [m²]
     switch (question.ground) {
-    case Ground::OnlyAlongOutlines: return question.area < kSmall ? 0.5 : 0.95;
+    case Ground::OnlyAlongOutlines: return question.area < kLeastProposed ? 0.5 : 0.95;
     case Ground::RoofOfHollow: return 0.7;
     case Ground::AppearsInside: return 0.75;
     case Ground::StructureStands: return 0.85;

@@ -26,8 +26,8 @@ struct Sums {
     double free = 0.0;   // variance of what differs from cell to cell [m²]
     double filled = 0.0; // of what is alike over a while
     double outline = 0.0;
-    double overhung_more = 0.0; // under overhangs of the later surface, beyond those of the earlier [m]
-    double overhung_less = 0.0;
+    double overhung_before = 0.0; // under overhangs of the earlier surface [m]
+    double overhung_after = 0.0;
     double pose_before = 0.0; // sum of σ [m]
     double pose_after = 0.0;
 };
@@ -89,17 +89,17 @@ class Counter {
             return;
         }
         volume.net += depth * area;
-        const double overhung = overhung_at(row, column);
-        volume.overhung += overhung * area;
+        volume.overhung += overhung_at(row, column) * area;
         (depth > 0.0 ? volume.gone : volume.added) += std::abs(depth) * area;
         Sums& sums = sums_[label];
-        (overhung > 0.0 ? sums.overhung_more : sums.overhung_less) += overhung;
         bool filled = false;
         const bool hidden = !filled_before_.was_seen[cell_in(before_.frame, frame_, row, column)] &&
                             !filled_after_.was_seen[cell_in(after_.frame, frame_, row, column)];
-        const auto add_surface = [&](const SurfaceGrid& grid, const FilledHeights& heights, double& pose) {
+        const auto add_surface = [&](const SurfaceGrid& grid, const FilledHeights& heights, double& pose,
+                                     double& overhung) {
             const std::size_t cell = cell_in(grid.frame, frame_, row, column);
             pose += static_cast<double>(grid.pose_sigma[cell]);
+            overhung += static_cast<double>(heights.hollow[cell]);
             if (heights.was_seen[cell]) {
                 sums.free += noise_variance(grid, cell);
             } else {
@@ -112,8 +112,8 @@ class Counter {
                 filled = true;
             }
         };
-        add_surface(before_, filled_before_, sums.pose_before);
-        add_surface(after_, filled_after_, sums.pose_after);
+        add_surface(before_, filled_before_, sums.pose_before, sums.overhung_before);
+        add_surface(after_, filled_after_, sums.pose_after, sums.overhung_after);
         if (filled) volume.filled_area += area;
         if (options_.outline_sigma > 0.0) add_outline(row, column, sums);
     }
@@ -146,7 +146,7 @@ class Counter {
         const double area = frame_.cell * frame_.cell;
         const double along = std::max(1.0, options_.outline_alike / frame_.cell);
         const double edge = options_.outline_sigma * frame_.cell;
-        const double overhung = options_.overhang_doubt * area * std::hypot(sums.overhung_more, sums.overhung_less);
+        const double overhung = options_.overhang_doubt * area * std::hypot(sums.overhung_before, sums.overhung_after);
         volume.sigma = std::sqrt(
             overhung * overhung +
             area * area *

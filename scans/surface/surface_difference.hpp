@@ -56,7 +56,7 @@ struct VolumeOptions {
     std::vector<SpotHeight> spots_after;
     double alike = 0.1;           ///< errors of filled cells are alike over so much, or the width of the gap [m]
     double hidden_doubt = 0.5;    ///< σ of a change that shadows hide on both days, as a share of it
-    double overhang_doubt = 0.25; ///< σ of what lies under overhangs, as a share of it
+    double overhang_doubt = 0.25; ///< σ of what lies under overhangs of a surface, as a share of it
     double outline_sigma = 0.0;   ///< of the lines between labels [m]
     double outline_alike = 0.3;   ///< a hand errs alike along so much of a line [m]
     std::optional<UndugRules> undug = UndugRules{}; ///< none: all ground counts
@@ -70,7 +70,8 @@ struct VolumeOptions {
 /// poses can tell is lost with it.
 ///
 /// The σ adds: noise of each cell; gaps and faces, alike over their width; lines between labels, where the depth on
-/// both sides differs; what went from under overhangs, alike over all of it; and, linearly over all cells that count,
+/// both sides differs; what lies under overhangs on either surface where
+/// something changed, alike over all of it; and, linearly over all cells that count,
 /// the σ of the poses of either surface, which is common to them.
 [[nodiscard]] std::vector<DugVolume> dug_volumes(const SurfaceGrid& before, const SurfaceGrid& after,
                                                  std::span<const std::int32_t> label_of, std::size_t labels,

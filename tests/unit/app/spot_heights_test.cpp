@@ -70,6 +70,8 @@ TEST_CASE("A part of a cut in which nothing was measured is as deep as the neare
     model::Region region = outline_of(cut, surface, model::RegionShows::Cut);
     region.outline.push_back({{{1.5, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}}, {}}); // beyond a baulk
     region.outline.push_back({{{6, 0, 0}, {7, 0, 0}, {7, 1, 0}, {6, 1, 0}}, {}});     // a ditch may slope so far
+    region.outline.push_back({{{4, 0, 0}}, {}});                                      // what a damaged file may hold
+    region.outline.push_back({{}, {}});
     record.regions = {region};
     model::Level level;
     level.unit = cut.id;

@@ -34,7 +34,7 @@ SurfaceGrid built(const Shots& shots) {
 
 /// Even ground with a round pit, of whose side scanners at the rim see the upper half meter all around, and of the
 /// floor nothing.
-SurfaceGrid ground_with_pit(const Radius& radius, double middle = kMiddle) {
+SurfaceGrid ground_with_pit(const Radius& radius, double middle = kMiddle, double seen = 0.5) {
     Shots shots(3);
     for (int i = 0; i < 100000; ++i) {
         const double x = shots.uniform(-0.1, 2.1);
@@ -43,7 +43,7 @@ SurfaceGrid ground_with_pit(const Radius& radius, double middle = kMiddle) {
     }
     for (int i = 0; i < 30000; ++i) {
         const double angle = shots.uniform(0.0, 2.0 * std::numbers::pi);
-        const double z = shots.uniform(kGround - 0.5, kGround);
+        const double z = shots.uniform(kGround - seen, kGround);
         shots.add(middle + radius(z) * std::cos(angle), kMiddle + radius(z) * std::sin(angle), z);
     }
     return built(shots);
@@ -80,10 +80,13 @@ TEST_CASE("What lies under the overhang of a pit that widens downwards is told f
 
 TEST_CASE("Pits whose sides stand upright or slope have no overhang, drawn 3 cm too far in or out") {
     for (const double slope : {0.0, -0.2, -0.4}) {
-        const SurfaceGrid grid = ground_with_pit([slope](double z) { return kMouth + slope * (kGround - z); });
-        for (const double off : {-0.03, 0.0, 0.03}) {
-            INFO(slope << ' ' << off);
-            CHECK(find_overhangs(grid, floor_spot(kMouth + off)).empty());
+        for (const double seen : {0.3, 0.35, 0.5}) {
+            const SurfaceGrid grid =
+                ground_with_pit([slope](double z) { return kMouth + slope * (kGround - z); }, kMiddle, seen);
+            for (const double off : {-0.03, 0.0, 0.03}) {
+                INFO(slope << ' ' << seen << ' ' << off);
+                CHECK(find_overhangs(grid, floor_spot(kMouth + off)).empty());
+            }
         }
     }
 }
@@ -100,11 +103,12 @@ TEST_CASE("The side of a neighbouring pit is no overhang") {
     for (int i = 0; i < 30000; ++i) {
         const double angle = shots.uniform(0.0, 2.0 * std::numbers::pi);
         shots.add(kMiddle + 0.65 + kMouth * std::cos(angle), kMiddle + kMouth * std::sin(angle),
-                  shots.uniform(kGround - 0.5, kGround));
+                  shots.uniform(kFloor, kGround));
     }
     const SurfaceGrid grid = built(shots);
     std::vector<SpotHeight> spots = floor_spot();
     SpotHeight other = spots.front();
+    spots.front().z = 0.3;
     other.x += 0.65;
     for (auto& point : other.hollow.front().front()) point[0] += 0.65;
     spots.push_back(other);
