@@ -59,9 +59,10 @@ bool holds(const Part& part, const model::Level& level) {
 }
 
 // A pit that a baulk parts in two is as deep on both sides, though the staff stood on one: for a part in which
-// none was measured the nearest holds, if it is near. What was measured where another unit lies on this surface, as at
-// the bottom of a pit that is half emptied, says nothing.
-std::optional<scans::SpotHeight> from_another(const Part& part, const std::vector<Part>& parts,
+// none was measured the nearest holds, if it is near. What was measured where a fill still lies, at the
+// bottom of a pit that is half emptied, says nothing; where a layer lies it may be the roof over an undercut one.
+std::optional<scans::SpotHeight> from_another(const model::Record& record, const Part& part,
+                                              const std::vector<Part>& parts,
                                               const std::vector<const model::Level*>& levels) {
     const auto [x, y] = geometry::inner_place(part.outline);
     const model::Level* nearest = nullptr;
@@ -69,7 +70,8 @@ std::optional<scans::SpotHeight> from_another(const Part& part, const std::vecto
     for (const model::Level* level : levels) {
         const double distance = std::hypot(*level->x - x, *level->y - y);
         const bool is_covered = std::any_of(parts.begin(), parts.end(), [&](const Part& other) {
-            return other.region->unit != part.region->unit && geometry::contains(other.outline, *level->x, *level->y);
+            return other.region->unit != part.region->unit && geometry::contains(other.outline, *level->x, *level->y) &&
+                   is_fill(record, other.region->unit);
         });
         if (is_covered || distance > least) continue;
         least = distance;
@@ -94,7 +96,7 @@ std::vector<scans::SpotHeight> spot_heights(const model::Record& record, const m
             if (holds(part, *level)) spots.push_back({*level->x, *level->y, level->z, kLevelSigma, part.outline});
         }
         if (spots.size() > before || levels.empty()) continue;
-        if (auto spot = from_another(part, parts, levels)) spots.push_back(*std::move(spot));
+        if (auto spot = from_another(record, part, parts, levels)) spots.push_back(*std::move(spot));
     }
     return spots;
 }

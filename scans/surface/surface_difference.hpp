@@ -70,9 +70,8 @@ struct VolumeOptions {
 /// poses can tell is lost with it.
 ///
 /// The σ adds: noise of each cell; gaps and faces, alike over their width; lines between labels, where the depth on
-/// both sides differs; what lies under overhangs on either surface where
-/// something changed, alike over all of it; and, linearly over all cells that count,
-/// the σ of the poses of either surface, which is common to them.
+/// both sides differs; what lies under overhangs on either surface where something changed, alike over all of it;
+/// and, linearly over all cells that count, the σ of the poses of either surface, which is common to them.
 [[nodiscard]] std::vector<DugVolume> dug_volumes(const SurfaceGrid& before, const SurfaceGrid& after,
                                                  std::span<const std::int32_t> label_of, std::size_t labels,
                                                  const VolumeOptions& options = {});

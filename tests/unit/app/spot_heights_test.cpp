@@ -116,3 +116,32 @@ TEST_CASE("What is left of a fill lies in its pit as high as its top was measure
     record.units.front().form = model::UnitForm::Layer;
     CHECK(app::spot_heights(record, surface).empty());
 }
+
+TEST_CASE("The bottom of a pit says nothing of its edge while a fill lies over it, but does under a roof") {
+    model::Record record;
+    SeededUuids ids{4};
+    model::Surface surface;
+    surface.id = model::SurfaceId{ids.next()};
+    model::StratigraphicUnit cut;
+    cut.id = model::UnitId{ids.next()};
+    model::StratigraphicUnit over;
+    over.id = model::UnitId{ids.next()};
+    over.kind = model::UnitKind::Deposit;
+    model::Region covered = outline_of(over, surface, model::RegionShows::Top);
+    covered.outline = {{{{1.2, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1.2, 1, 0}}, {}}};
+    record.regions = {outline_of(cut, surface, model::RegionShows::Cut), covered};
+    model::Level level;
+    level.unit = cut.id;
+    level.x = 1.5;
+    level.y = 0.5;
+    level.z = 8.0;
+    level.role = model::LevelRole::Base;
+    record.levels = {level};
+    over.form = model::UnitForm::Fill;
+    record.units = {cut, over};
+    CHECK(app::spot_heights(record, surface).empty());
+    record.units.back().form = model::UnitForm::Layer;
+    const auto spots = app::spot_heights(record, surface);
+    REQUIRE(spots.size() == 1);
+    CHECK(spots[0].z == 8.0);
+}
