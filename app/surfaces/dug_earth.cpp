@@ -11,8 +11,8 @@
 
 #include "app/regions/region_names.hpp"
 #include "app/scans/days_surface.hpp"
+#include "app/surfaces/known_ground.hpp"
 #include "app/surfaces/recorded_surface.hpp"
-#include "app/surfaces/spot_heights.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "scans/surface/label_grid.hpp"
@@ -98,8 +98,8 @@ class AreaEarth {
         const std::vector<std::int32_t> label = labels(frame, surface, units);
         scans::VolumeOptions options;
         options.outline_sigma = outline_sigma(surface);
-        options.spots_before = spot_heights(record_, surface);
-        options.spots_after = spot_heights(record_, next);
+        options.known_before = known_ground(record_, surface);
+        options.known_after = known_ground(record_, next);
         const std::vector<scans::DugVolume> of_units =
             scans::dug_volumes(before.grid, after.grid, label, units.size(), options);
         EarthStep result;

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/geometry/polygons.hpp"
+#include "scans/surface/cells_within.hpp"
 #include "scans/surface/leaning_sides.hpp"
 #include "scans/surface/overhangs.hpp"
 #include "scans/surface/spot_floors.hpp"
@@ -54,6 +54,8 @@ class Filler {
         filled_.source.assign(cells, 0);
         filled_.hollow.assign(cells, 0.0F);
         filled_.laid.assign(cells, false);
+        in_hollow_.assign(cells, false);
+        in_planum_.assign(cells, false);
         for (std::size_t i = 0; i < cells; ++i) {
             filled_.source[i] = static_cast<std::uint32_t>(i);
             filled_.was_seen[i] = grid.state[i] == CellState::Surface || grid.state[i] == CellState::Disputed;
@@ -61,12 +63,13 @@ class Filler {
         }
     }
 
-    FilledHeights fill(std::span<const SpotHeight> spots) {
-        std::vector<SpotHeight> floors(spots.begin(), spots.end());
-        for (const Overhang& overhang : find_overhangs(grid_, spots)) cover(overhang, floors);
+    FilledHeights fill(const KnownGround& known) {
+        std::vector<SpotHeight> floors = known.spots;
+        for (const Overhang& overhang : find_overhangs(grid_, known.spots)) cover(overhang, floors);
         raise_fences();
         lay_floors(filled_, grid_, fence_, floors, options_.doubt);
-        outline_hollows(spots);
+        for (const SpotHeight& spot : known.spots) mark(spot.hollow, in_hollow_);
+        for (const geometry::MultiPolygon& planum : known.plana) mark(planum, in_planum_);
         spread(Fences::Closed);
         relax();
         lay_fences();
@@ -173,19 +176,8 @@ class Filler {
     /// Whether ground of that height can be continued into a cell without rising above the lines of sight over it.
     [[nodiscard]] bool admits(std::size_t cell, float height) const { return !(height > ceiling(cell) + kOnSightLine); }
 
-    void outline_hollows(std::span<const SpotHeight> spots) {
-        in_hollow_.assign(frame_.cells(), false);
-        for (const SpotHeight& spot : spots) {
-            const geometry::Extent extent = geometry::extent(spot.hollow);
-            for (std::int32_t row = 0; row < frame_.rows; ++row) {
-                if (frame_.y(row) < extent.low[1] || frame_.y(row) > extent.high[1]) continue;
-                for (std::int32_t column = 0; column < frame_.columns; ++column) {
-                    if (frame_.x(column) < extent.low[0] || frame_.x(column) > extent.high[0]) continue;
-                    if (geometry::contains(spot.hollow, frame_.x(column), frame_.y(row)))
-                        in_hollow_[frame_.at(row, column)] = true;
-                }
-            }
-        }
+    void mark(const geometry::MultiPolygon& outline, std::vector<bool>& inside) const {
+        for_cells_within(frame_, outline, [&](std::size_t cell) { inside[cell] = true; });
     }
 
     /// Whether nobody saw a cell outside the hollows, and `from` took its height from the floor of one: that floor ends
@@ -194,13 +186,18 @@ class Filler {
         return !in_hollow_[cell] && !filled_.was_seen[cell] && filled_.laid[filled_.source[from]];
     }
 
+    [[nodiscard]] float most_doubt(std::size_t cell, float sigma) const {
+        return in_planum_[cell] ? std::min(sigma, options_.planum_doubt) : sigma;
+    }
+
     // What lies in a shadow is somewhere between the line of sight over it and the ground it was continued from.
     void doubt_shadows() {
         for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
             const float most = ceiling(cell);
             if (std::isnan(most) || std::isnan(filled_.height[cell])) continue;
             filled_.height[cell] = std::min(filled_.height[cell], most + kOnSightLine);
-            filled_.shadow_sigma[cell] = std::max(0.0F, (most - filled_.height[cell]) * options_.shadow_doubt);
+            const float hidden = std::max(0.0F, most - filled_.height[cell]);
+            filled_.shadow_sigma[cell] = most_doubt(cell, hidden * options_.shadow_doubt);
         }
     }
 
@@ -215,7 +212,8 @@ class Filler {
             if (hints_hold_ && (!admits(cell, filled_.height[source]) || lies_beside_hollow(cell, source))) return;
             const double distance = std::hypot(row - from.from_row, column - from.from_column);
             const double before = static_cast<double>(filled_.distance[source]) / frame_.cell;
-            if (before + distance <= most) waiting.push({distance, cell, from.from_row, from.from_column});
+            if (before + distance <= most || in_planum_[cell])
+                waiting.push({distance, cell, from.from_row, from.from_column});
         };
         for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
             if (std::isnan(filled_.height[cell])) continue;
@@ -230,8 +228,8 @@ class Filler {
             filled_.height[next.cell] = filled_.height[from];
             filled_.source[next.cell] = filled_.source[from];
             filled_.distance[next.cell] = filled_.distance[from] + static_cast<float>(next.distance * frame_.cell);
-            filled_.sigma[next.cell] =
-                filled_.sigma[from] + static_cast<float>(next.distance * frame_.cell * options_.doubt);
+            filled_.sigma[next.cell] = most_doubt(
+                next.cell, filled_.sigma[from] + static_cast<float>(next.distance * frame_.cell * options_.doubt));
             gaps_.push_back(next.cell);
             for_four(row_of(next.cell), column_of(next.cell),
                      [&](std::int32_t r, std::int32_t c) { offer(r, c, next); });
@@ -385,16 +383,17 @@ class Filler {
     std::vector<bool> shows_side_; // faces with points between the ground on both sides
     std::vector<std::size_t> gaps_;
     std::vector<bool> in_hollow_; // inside the outlines that come with spot heights
-    bool hints_hold_ = true;      // what lines of sight and outlines of hollows say
+    std::vector<bool> in_planum_;
+    bool hints_hold_ = true; // what lines of sight and outlines of hollows say
 };
 
 } // namespace
 
-FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options, std::span<const SpotHeight> spots) {
-    if (grid.ceiling.empty()) return Filler(grid, options).fill(spots);
+FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options, const KnownGround& known) {
+    if (grid.ceiling.empty()) return Filler(grid, options).fill(known);
     SurfaceGrid clean = grid;
     drop_hanging(clean, options.sight);
-    return Filler(clean, options).fill(spots);
+    return Filler(clean, options).fill(known);
 }
 
 } // namespace planum::scans

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/geometry/gpb.hpp"
@@ -12,10 +11,11 @@
 namespace planum::scans {
 
 struct GapOptions {
-    double reach = 1.5;        ///< cells farther than this from any ground stay unknown [m]
-    double fence_gap = 0.2;    ///< faces no farther apart than this are one side, where no ground is between [m]
-    double doubt = 0.1;        ///< σ of a filled height for each metre from the ground it was taken from
-    float shadow_doubt = 0.2F; ///< σ in a shadow for each metre between the line of sight and what was filled in
+    double reach = 1.5;         ///< cells farther than this from any ground stay unknown [m]
+    double fence_gap = 0.2;     ///< faces no farther apart than this are one side, where no ground is between [m]
+    double doubt = 0.1;         ///< σ of a filled height for each metre from the ground it was taken from
+    float shadow_doubt = 0.2F;  ///< σ in a shadow for each metre between the line of sight and what was filled in
+    float planum_doubt = 0.05F; ///< most σ of what was filled in on an artificial level: somebody made it level [m]
     SightRules sight;
 };
 
@@ -27,6 +27,13 @@ struct SpotHeight {
     double sigma = 0.02;            ///< [m]
     geometry::MultiPolygon hollow;  ///< the outline of what it is the floor of, in plan of the site
     bool is_under_overhang = false; ///< its sides recede (find_overhangs()): no side goes on down to the floor
+};
+
+/// What is known of the ground of a surface besides its scans.
+struct KnownGround {
+    std::vector<SpotHeight> spots = {};
+    std::vector<geometry::MultiPolygon> plana =
+        {}; ///< outlines of what shows of artificial levels, in plan of the site
 };
 
 /// Heights of a surface with its gaps closed.
@@ -51,10 +58,11 @@ struct FilledHeights {
 /// along it; where none shows the line, halfway. Under a line of sight over a shadow (SurfaceGrid::ceiling) only ground
 /// that is no higher is continued. Where a side is several cells wide, its cells lie where their points do.
 ///
-/// Where no scanner looked into a hollow, `spots` say how deep it is (lay_floors()). That floor ends at its outline:
-/// what nobody saw beside it is continued from other ground, where there is any. Under the sides of a pit that widens
-/// downwards (find_overhangs()) ground lies as high as around; what is hollow there is told beside the heights.
+/// Where no scanner looked into a hollow, spot heights say how deep it is (lay_floors()). That floor ends at its
+/// outline: what nobody saw beside it is continued from other ground, where there is any. Within a planum ground is
+/// continued without `reach`: who drew its outline saw it level behind every baulk. Under the sides of a pit that
+/// widens downwards (find_overhangs()) ground lies as high as around; what is hollow there is told beside the heights.
 [[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {},
-                                      std::span<const SpotHeight> spots = {});
+                                      const KnownGround& known = {});
 
 } // namespace planum::scans

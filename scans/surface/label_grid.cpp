@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/geometry/polygons.hpp"
+#include "scans/surface/cells_within.hpp"
 
 namespace planum::scans {
 
@@ -23,20 +24,6 @@ std::int32_t column_from(const GridFrame& frame, double x) {
 std::int32_t row_from(const GridFrame& frame, double y) {
     const double row = std::ceil(y / frame.cell - static_cast<double>(frame.south) - 0.5);
     return static_cast<std::int32_t>(std::clamp(row, 0.0, static_cast<double>(frame.rows)));
-}
-
-void fill(LabelGrid& grid, const geometry::MultiPolygon& shape, std::int32_t region) {
-    const geometry::Extent extent = geometry::extent(shape);
-    if (extent.is_empty()) return;
-    const std::int32_t end = row_from(grid.frame, extent.high[1]);
-    for (std::int32_t row = row_from(grid.frame, extent.low[1]); row < end; ++row) {
-        for (const auto& [from, to] : geometry::spans_at(shape, grid.frame.y(row))) {
-            const std::int32_t last = column_from(grid.frame, to);
-            for (std::int32_t column = column_from(grid.frame, from); column < last; ++column) {
-                grid.region[grid.frame.at(row, column)] = region;
-            }
-        }
-    }
 }
 
 double distance_to_piece(const Point3& a, const Point3& b, double x, double y) {
@@ -92,7 +79,7 @@ LabelGrid label_cells(const GridFrame& frame, std::span<const model::Region> reg
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
     for (const std::size_t i : order) {
-        fill(grid, shapes[i], static_cast<std::int32_t>(i));
+        for_cells_within(frame, shapes[i], [&](std::size_t cell) { grid.region[cell] = static_cast<std::int32_t>(i); });
         for (const geometry::Rings& rings : shapes[i]) {
             for (const geometry::Line3& ring : rings) {
                 for (std::size_t p = 0; p < ring.size(); ++p) measure(grid, ring[p], ring[(p + 1) % ring.size()]);

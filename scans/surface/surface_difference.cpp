@@ -38,8 +38,8 @@ class Counter {
             const VolumeOptions& options)
         : before_(before), after_(after), label_of_(label_of), options_(options),
           frame_(common_frame(before.frame, after.frame)),
-          filled_before_(fill_gaps(before, options.gaps, options.spots_before)),
-          filled_after_(fill_gaps(after, options.gaps, options.spots_after)) {
+          filled_before_(fill_gaps(before, options.gaps, options.known_before)),
+          filled_after_(fill_gaps(after, options.gaps, options.known_after)) {
         if (!label_of.empty() && label_of.size() != frame_.cells())
             throw Error(ErrorCode::Usage, "labels that are not those of the cells two surfaces share");
         if (options.undug) undug_ = undug_ground({before_, filled_before_}, {after_, filled_after_}, *options.undug);

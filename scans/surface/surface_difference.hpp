@@ -52,8 +52,8 @@ struct DugVolume {
 
 struct VolumeOptions {
     GapOptions gaps;
-    std::vector<SpotHeight> spots_before; ///< for fill_gaps()
-    std::vector<SpotHeight> spots_after;
+    KnownGround known_before; ///< for fill_gaps()
+    KnownGround known_after;
     double alike = 0.1;           ///< errors of filled cells are alike over so much, or the width of the gap [m]
     double hidden_doubt = 0.5;    ///< σ of a change that shadows hide on both days, as a share of it
     double overhang_doubt = 0.25; ///< σ of what lies under overhangs of a surface, as a share of it

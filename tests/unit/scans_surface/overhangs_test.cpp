@@ -119,7 +119,7 @@ TEST_CASE("A pit that widens downwards counts with what lies under its overhang,
     Shots shots(5);
     shots.add_ground({{-0.1, -0.1, 2.1, 2.1}, 25000.0, 0.002, 1}, [](double, double) { return kGround; });
     VolumeOptions options;
-    options.spots_after = floor_spot();
+    options.known_after.spots = floor_spot();
     const DugVolume volume = dug_volumes(built(shots), ground_with_pit(bell), {}, 1, options)[0];
     const double mouth = std::numbers::pi * kMouth * kMouth * (kGround - kFloor);
     const double dug = mouth + under_overhang(bell);
@@ -150,8 +150,8 @@ TEST_CASE("The line of a section through a pit has no overhang") {
 
 TEST_CASE("What comes to light under one overhang takes nothing from the bound of another that goes") {
     VolumeOptions options;
-    options.spots_before = floor_spot(kMouth, 0.55);
-    options.spots_after = floor_spot(kMouth, 1.45);
+    options.known_before.spots = floor_spot(kMouth, 0.55);
+    options.known_after.spots = floor_spot(kMouth, 1.45);
     options.undug.reset();
     const DugVolume volume = dug_volumes(ground_with_pit(bell, 0.55), ground_with_pit(bell, 1.45), {}, 1, options)[0];
     const double under = under_overhang(bell);

@@ -61,7 +61,7 @@ TEST_CASE("A pit that no scanner looked into is as deep as its floor was measure
     const SurfaceGrid grid = ground_with_pit();
     REQUIRE(hole_volume(fill_gaps(grid)) == Approx(0.0).margin(1e-6));
     const SpotHeight spot = floor_spot(0.5, 0.7);
-    const FilledHeights filled = fill_gaps(grid, {}, {&spot, 1});
+    const FilledHeights filled = fill_gaps(grid, {}, {.spots = {spot}});
     // Cells at the rim have ground around them, and are closed as gaps in it.
     const double all = (kGround - kFloor) * 0.4 * 0.4;
     CHECK(hole_volume(filled) > 0.6 * all);
@@ -84,18 +84,18 @@ TEST_CASE("A floor measured a little outside the outline counts for the nearest 
     for (auto& ring : spot.hollow[0]) {
         for (auto& p : ring) p[1] = std::max(p[1], 0.41);
     }
-    CHECK(hole_volume(fill_gaps(grid, {}, {&spot, 1})) > 0.04);
+    CHECK(hole_volume(fill_gaps(grid, {}, {.spots = {spot}})) > 0.04);
     spot.y = 0.2; // on the ground beside the pit
-    CHECK(hole_volume(fill_gaps(grid, {}, {&spot, 1})) == Approx(0.0).margin(1e-6));
+    CHECK(hole_volume(fill_gaps(grid, {}, {.spots = {spot}})) == Approx(0.0).margin(1e-6));
 }
 
 TEST_CASE("Sides that were seen go on down to the floor, and beams that hang alone in a pit do not") {
     SurfaceGrid grid = ground_with_pit();
     const SpotHeight spot = floor_spot(0.7, 0.6);
-    const double upright = hole_volume(fill_gaps(grid, {}, {&spot, 1}));
+    const double upright = hole_volume(fill_gaps(grid, {}, {.spots = {spot}}));
     grid.state[grid.frame.at(30, 30)] = CellState::Surface; // half way down, in the middle
     grid.height[grid.frame.at(30, 30)] = 0.7F;
-    const double with_stray = hole_volume(fill_gaps(grid, {}, {&spot, 1}));
+    const double with_stray = hole_volume(fill_gaps(grid, {}, {.spots = {spot}}));
     CHECK(with_stray == Approx(upright).margin(0.3 * 0.0004 + 1e-6));
     grid = ground_with_pit();
     for (std::int32_t row = 20; row < 40; ++row) { // the western side falls at 45°, its upper 12 cm were seen
@@ -106,7 +106,7 @@ TEST_CASE("Sides that were seen go on down to the floor, and beams that hang alo
             grid.slope[cell] = 1.0F;
         }
     }
-    const FilledHeights filled = fill_gaps(grid, {}, {&spot, 1});
+    const FilledHeights filled = fill_gaps(grid, {}, {.spots = {spot}});
     for (std::int32_t column = 29; column < 36; ++column) {
         CAPTURE(column);
         CHECK(static_cast<double>(filled.height[grid.frame.at(30, column)]) ==
@@ -124,7 +124,7 @@ TEST_CASE("The edge of an overhang is no side that goes on down to the floor") {
         grid.height[grid.frame.at(row, 19)] = 0.6F;
     }
     const SpotHeight spot = floor_spot(0.7, 0.6);
-    const FilledHeights filled = fill_gaps(grid, {}, {&spot, 1});
+    const FilledHeights filled = fill_gaps(grid, {}, {.spots = {spot}});
     for (std::int32_t column = 27; column < 36; ++column) {
         CAPTURE(column);
         CHECK(static_cast<double>(filled.height[grid.frame.at(30, column)]) == Approx(kFloor));
@@ -140,7 +140,7 @@ TEST_CASE("A floor that was measured in a pit says nothing of what nobody saw be
         }
     }
     const SpotHeight spot = floor_spot(0.5, 0.6);
-    const FilledHeights filled = fill_gaps(grid, {}, {&spot, 1});
+    const FilledHeights filled = fill_gaps(grid, {}, {.spots = {spot}});
     CHECK(static_cast<double>(filled.height[grid.frame.at(30, 25)]) == Approx(kFloor));
     for (std::int32_t column = 0; column < 18; ++column) {
         CAPTURE(column);
@@ -153,7 +153,7 @@ TEST_CASE("A floor that was measured in a pit says nothing of what nobody saw be
             grid.height[grid.frame.at(row, column)] = kUnknown;
         }
     }
-    CHECK(static_cast<double>(fill_gaps(grid, {}, {&spot, 1}).height[grid.frame.at(30, 5)]) == Approx(kFloor));
+    CHECK(static_cast<double>(fill_gaps(grid, {}, {.spots = {spot}}).height[grid.frame.at(30, 5)]) == Approx(kFloor));
 }
 
 TEST_CASE("What the scans saw is stronger than a floor that was measured") {
@@ -164,7 +164,7 @@ TEST_CASE("What the scans saw is stronger than a floor that was measured") {
             if (grid.state[cell] == CellState::Unseen) grid.ceiling[cell] = 0.3F;
         }
         const FilledHeights without = fill_gaps(grid);
-        CHECK(fill_gaps(grid, {}, {&spot, 1}).height == without.height);
+        CHECK(fill_gaps(grid, {}, {.spots = {spot}}).height == without.height);
     }
     SECTION("ground around it") {
         for (std::int32_t row = 20; row < 40; ++row) {
@@ -174,10 +174,10 @@ TEST_CASE("What the scans saw is stronger than a floor that was measured") {
             }
         }
         const FilledHeights without = fill_gaps(grid);
-        CHECK(fill_gaps(grid, {}, {&spot, 1}).height == without.height);
+        CHECK(fill_gaps(grid, {}, {.spots = {spot}}).height == without.height);
     }
     SECTION("the edge of the grid") {
         const SpotHeight away = floor_spot(-5.0, 7.0);
-        CHECK(hole_volume(fill_gaps(grid, {}, {&away, 1})) == Approx(0.0).margin(1e-6));
+        CHECK(hole_volume(fill_gaps(grid, {}, {.spots = {away}})) == Approx(0.0).margin(1e-6));
     }
 }

@@ -73,8 +73,8 @@ Ground with_pit(const Inside& inside, double depth) {
 /// Share of the cells inside that are undug.
 double undug_share(const SurfaceGrid& before, const SurfaceGrid& after, const Inside& inside,
                    std::vector<SpotHeight> spots_before = {}, std::vector<SpotHeight> spots_after = {}) {
-    const FilledHeights was = fill_gaps(before, {}, spots_before);
-    const FilledHeights is = fill_gaps(after, {}, spots_after);
+    const FilledHeights was = fill_gaps(before, {}, {.spots = std::move(spots_before)});
+    const FilledHeights is = fill_gaps(after, {}, {.spots = std::move(spots_after)});
     const std::vector<bool> undug = undug_ground({before, was}, {after, is});
     double all = 0.0;
     double number = 0.0;
