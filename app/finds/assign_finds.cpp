@@ -13,6 +13,7 @@
 #include "app/regions/region_names.hpp"
 #include "app/regions/region_points.hpp"
 #include "app/scans/days_surface.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"

@@ -13,6 +13,7 @@
 
 #include "app/regions/region_names.hpp"
 #include "app/scans/days_surface.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -23,12 +24,6 @@ namespace planum::app {
 using nlohmann::ordered_json;
 
 namespace {
-
-bool is_registered(const model::Record& record, const model::Surface& surface) {
-    return std::any_of(record.scans.begin(), record.scans.end(), [&](const model::Scan& scan) {
-        return scan.surface == surface.id && model::pose_in_force(record, scan.id) != nullptr;
-    });
-}
 
 std::vector<model::Region> regions_on(const model::Record& record, model::SurfaceId surface) {
     std::vector<model::Region> regions;
@@ -246,7 +241,7 @@ void find_on(Project& project, const std::vector<const model::Surface*>& in_time
     const model::Surface& surface = *in_time[at];
     std::vector<const model::Surface*> earlier(in_time.begin(), in_time.begin() + static_cast<std::ptrdiff_t>(at));
     const auto last = std::find_if(earlier.rbegin(), earlier.rend(),
-                                   [&](const model::Surface* before) { return is_registered(record, *before); });
+                                   [&](const model::Surface* before) { return is_seen(record, *before); });
     const std::string name = surface_name(record, surface);
     if (last == earlier.rend()) {
         result.notes.push_back(fmt::format("{}: no registered surface before it", name));
@@ -298,7 +293,7 @@ ReadyPatches ready_patches(Project& project, const PatchQuery& query, Progress& 
         const std::vector<const model::Surface*> in_time = surfaces_in_time(record, area);
         std::vector<std::size_t> places;
         for (std::size_t i = 0; i < in_time.size(); ++i) {
-            const bool asked = wanted != nullptr ? in_time[i] == wanted : is_registered(record, *in_time[i]);
+            const bool asked = wanted != nullptr ? in_time[i] == wanted : is_seen(record, *in_time[i]);
             if (asked) places.push_back(i);
         }
         if (wanted == nullptr && !query.all && places.size() > 1) places.erase(places.begin(), places.end() - 1);

@@ -48,15 +48,6 @@ RegionGround ground_of(const PlacedRegion& placed, const model::Section* section
 
 } // namespace
 
-bool may_show(const model::Record& record, const model::Scan& scan, const model::Surface& surface) {
-    if (scan.surface == surface.id) return true;
-    if (!holds_day(surface, scan.day)) return false;
-    for (const model::Surface& other : record.surfaces) {
-        if (other.id == scan.surface) return other.area != surface.area;
-    }
-    return true;
-}
-
 bool may_show(const model::Record& record, const model::Scan& scan, const model::Region& region) {
     for (const model::Surface& surface : record.surfaces) {
         if (!region.surface.is_nil() && surface.id == region.surface) return may_show(record, scan, surface);

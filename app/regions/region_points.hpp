@@ -7,6 +7,7 @@
 
 #include "app/project/project.hpp"
 #include "app/scans/scan_stores.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "core/geometry/gpb.hpp"
 
 namespace planum::app {
@@ -19,11 +20,7 @@ struct RegionPoint {
     bool has_colour = false;
 };
 
-/// Whether a scan may show a surface: it was taken on a day of it and does not belong to another surface of the
-/// same area.
-[[nodiscard]] bool may_show(const model::Record& record, const model::Scan& scan, const model::Surface& surface);
-
-/// The same for a region: that of its surface; on a section, scans of its day (all when it has none).
+/// Whether a scan may show a region: that of its surface; on a section, scans of its day (all when it has none).
 [[nodiscard]] bool may_show(const model::Record& record, const model::Scan& scan, const model::Region& region);
 
 /// What a region shows, in a frame where it is a polygon in x and y: the site grid, or on a section (metres along,

@@ -10,6 +10,7 @@
 #include "app/regions/region_names.hpp"
 #include "app/regions/region_points.hpp"
 #include "app/scans/days_surface.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "app/surfaces/plan_sheet.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "app/surfaces/surface_picture.hpp"
@@ -108,8 +109,12 @@ SectionSheet section_sheet(Project& project, const SectionRequest& request, Prog
     const double length = std::hypot(request.to[0] - request.from[0], request.to[1] - request.from[1]);
     if (!(length > 0.01)) throw Error(ErrorCode::Usage, "both ends of the section are one place");
     const model::Surface* surface = request.surface.empty() ? nullptr : &known_surface(record, request.surface);
-    const std::vector<PlacedScan> scans = placed_scans(
-        project, [&](const model::Scan& scan) { return surface == nullptr || scan.surface == surface->id; }, progress);
+    const std::vector<const model::Scan*> wanted =
+        surface == nullptr ? std::vector<const model::Scan*>{} : scans_of(record, *surface);
+    const auto is_wanted = [&](const model::Scan& scan) {
+        return surface == nullptr || std::find(wanted.begin(), wanted.end(), &scan) != wanted.end();
+    };
+    const std::vector<PlacedScan> scans = placed_scans(project, is_wanted, progress);
     std::vector<SeenPoint> points;
     const RegionGround slab = slab_of(request, length);
     for_points_on(slab, scans, [&](const RegionPoint& p) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/surfaces/surface_cache.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include "app/project/sealed_file.hpp"
 #include "app/scans/scan_stores.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "core/base/sha256.hpp"
 
 namespace planum::app {
@@ -118,8 +120,11 @@ std::optional<KeptSurface> read_cached(const fs::path& file, const scans::GridFr
 
 std::vector<scans::SurfaceScan> surface_scans(Project& project, model::SurfaceId surface, Progress& progress) {
     std::vector<scans::SurfaceScan> scans;
-    for (const PlacedScan& placed : placed_scans(
-             project, [&](const model::Scan& scan) { return scan.surface == surface; }, progress)) {
+    const std::vector<const model::Scan*> wanted = scans_of(project.record(), surface);
+    const auto is_wanted = [&](const model::Scan& scan) {
+        return std::find(wanted.begin(), wanted.end(), &scan) != wanted.end();
+    };
+    for (const PlacedScan& placed : placed_scans(project, is_wanted, progress)) {
         scans::SurfaceScan scan;
         scan.name = placed.scan.name;
         scan.points = std::make_shared<scans::StorePoints>(placed.store, placed.site_from_scan);
@@ -132,11 +137,10 @@ std::vector<scans::SurfaceScan> surface_scans(Project& project, model::SurfaceId
 
 std::string surface_key(const model::Record& record, model::SurfaceId surface, const scans::GridFrame& frame) {
     std::string text;
-    for (const model::Scan& scan : record.scans) {
-        if (scan.surface != surface) continue;
-        const model::ScanPose* pose = model::pose_in_force(record, scan.id);
+    for (const model::Scan* scan : scans_of(record, surface)) {
+        const model::ScanPose* pose = model::pose_in_force(record, scan->id);
         if (pose == nullptr) continue;
-        text += fmt::format("\n{} {}", scan.sha256, scan.cloud);
+        text += fmt::format("\n{} {}", scan->sha256, scan->cloud);
         for (const double v : pose->site_from_scan) text += fmt::format(" {}", v);
         for (const double v : pose->covariance) text += fmt::format(" {}", v);
     }
