@@ -8,6 +8,7 @@
 #include "app/regions/outline.hpp"
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_names.hpp"
+#include "app/regions/section_plane.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygon_overlay.hpp"
 
@@ -26,8 +27,7 @@ std::vector<std::string> redraw_region(Project& project, model::RegionId id, con
     }
     const model::Section* section = section_of(record, region);
     region.has_heights = settle_heights(outline) || section != nullptr;
-    geometry::SoundPolygon sound = geometry::make_sound(section == nullptr ? outline : onto_plane(outline, *section));
-    if (section != nullptr) sound.shape = from_plane(sound.shape, *section);
+    const geometry::SoundPolygon sound = sound_in_site(outline, section);
     region.outline = outline_of(sound.shape);
     project.change(fmt::format("Redraw region {}", name), [&] { project.file().update(region); });
     return sound.repairs;

@@ -9,14 +9,17 @@
 #include <fmt/format.h>
 
 #include "app/regions/outline_files.hpp"
+#include "app/regions/outline_remarks.hpp"
 #include "app/regions/region_draft.hpp"
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_match.hpp"
 #include "app/regions/region_names.hpp"
+#include "app/regions/section_plane.hpp"
 #include "app/scans/days_surface.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/geometry/polygon_overlay.hpp"
+#include "core/model/astray.hpp"
 
 namespace planum::app {
 
@@ -32,17 +35,17 @@ bool is_in(const std::vector<model::RegionId>& ids, model::RegionId id) {
 
 MultiPolygon sound_shape(MultiPolygon shape, const DrawnOutline& drawn, const model::Section* section,
                          std::vector<std::string>& repairs) {
-    if (section != nullptr && !drawn.on_plane) shape = onto_plane(shape, *section);
     if (section != nullptr && drawn.on_plane) {
         for (auto& rings : shape) {
             for (auto& ring : rings) {
                 for (auto& point : ring) point[2] = 0.0; // on the plane itself
             }
         }
+        shape = from_plane(shape, *section);
     }
-    geometry::SoundPolygon made = geometry::make_sound(shape);
+    geometry::SoundPolygon made = sound_in_site(shape, section);
     repairs = std::move(made.repairs);
-    return section == nullptr ? std::move(made.shape) : from_plane(made.shape, *section);
+    return std::move(made.shape);
 }
 
 class Importer {
@@ -90,6 +93,7 @@ class Importer {
         for (const auto& made : draft_.new_surfaces()) report_.surfaces.push_back(surface_name(record, made));
         for (const auto& made : draft_.new_sections()) report_.sections.push_back(made.name);
         for (const auto& made : draft_.new_units()) report_.units.push_back(index.name(made.id));
+        report_astray(index);
         report_overlaps(index);
         report_.changed = draft_.changes_anything();
         return std::move(report_);
@@ -243,6 +247,15 @@ class Importer {
         if (kept.notes != offered.notes) parts.emplace_back("the notes differ");
         if (kept.seen_in != offered.seen_in) parts.emplace_back("seen_in differs");
         return text::join(parts, ", ") + "; kept, --update takes the file's";
+    }
+
+    void report_astray(const model::RecordIndex& index) {
+        const model::ScannedBox scanned(draft_.record());
+        for (const model::Region& region : draft_.record().regions) {
+            if (!is_in(matched_, region.id) || !scanned.is_astray(region)) continue;
+            report_.notes.push_back(
+                {region_name(draft_.record(), index, region), astray_remark(scanned.distance(region))});
+        }
     }
 
     void report_overlaps(const model::RecordIndex& index) {

@@ -3,9 +3,11 @@
 
 #include "app/records/field_table.hpp"
 #include "app/regions/outline.hpp"
+#include "app/regions/outline_remarks.hpp"
 #include "app/regions/outline_text.hpp"
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_names.hpp"
+#include "app/regions/section_plane.hpp"
 #include "app/scans/days_surface.hpp"
 #include "core/geometry/polygon_overlay.hpp"
 
@@ -20,11 +22,7 @@ constexpr const char* kCategoryWords = "unit, spoil, slump, backfill, water, equ
 
 // In site coordinates; on a section it is made sound in its plane.
 geometry::SoundPolygon sound_outline(const Region& region, const geometry::MultiPolygon& shape, Project& project) {
-    const model::Section* section = section_of(project.record(), region);
-    if (section == nullptr) return geometry::make_sound(shape);
-    geometry::SoundPolygon sound = geometry::make_sound(onto_plane(shape, *section));
-    sound.shape = from_plane(sound.shape, *section);
-    return sound;
+    return sound_in_site(shape, section_of(project.record(), region));
 }
 
 void set_outline(Region& region, const std::string& text, Project& project) {
@@ -102,7 +100,7 @@ class RegionKind final : public FieldTableKind<Region> {
         FieldTableKind::set(project, name, with);
     }
 
-    // What was mended of a typed outline.
+    // What was mended of a typed outline, and what is odd about where it lies.
     [[nodiscard]] std::vector<std::string> remarks(Project& project, const std::string& name,
                                                    const FieldValues& values) const override {
         std::vector<std::string> said;
@@ -110,9 +108,12 @@ class RegionKind final : public FieldTableKind<Region> {
             if (field != "outline") continue;
             geometry::MultiPolygon settled = parse_outline(text);
             (void)settle_heights(settled);
-            for (const std::string& repair : sound_outline(find(project, name), settled, project).repairs) {
-                said.push_back("outline mended: " + repair);
-            }
+            Region wished = find(project, name);
+            const geometry::SoundPolygon sound = sound_outline(wished, settled, project);
+            for (const std::string& repair : sound.repairs) said.push_back("outline mended: " + repair);
+            wished.outline = outline_of(sound.shape);
+            for (std::string& remark : outline_remarks(project.record(), project.index(), wished))
+                said.push_back(std::move(remark));
         }
         return said;
     }

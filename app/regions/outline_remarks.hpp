@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/project/project.hpp"
+
+namespace planum::app {
+
+/// What somebody who drew an outline should know of where it lies: far from all scans, or on ground that other outlines
+/// of its surface or section claim too; a sentence each. `wished` stands for the region of the same id.
+[[nodiscard]] std::vector<std::string> outline_remarks(const model::Record& record, const model::RecordIndex& index,
+                                                       const model::Region& wished);
+
+/// `it reaches 6513 km away from …`.
+[[nodiscard]] std::string astray_remark(double distance);
+
+} // namespace planum::app
