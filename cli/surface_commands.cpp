@@ -94,7 +94,8 @@ void print_step(const Context& context, const app::EarthStep& step) {
     if (std::abs(step.overhung) >= 0.0005)
         *context.out << fmt::format(", {:.3f} m³ of it under overhangs, as far as their sides show", step.overhung);
     if (step.filled > 0.005)
-        *context.out << fmt::format(", {:.2f} m² of them without ground that was seen", step.filled);
+        *context.out << fmt::format(", {:.2f} m² of them filled in, between points, in shadows and on sides",
+                                    step.filled);
     *context.out << '\n';
     print_units(context, step.units);
     if (step.unseen > 0.005) {
@@ -155,7 +156,9 @@ void run_volumes(const Context& context, const Arguments& arguments) {
         for (const app::EarthStep& step : earth.steps) steps.push_back(to_json(step));
         ordered_json json = {{"steps", steps}, {"units", to_json(earth.units)}};
         json["total"] = to_json(earth.total);
-        json["unseen"] = earth.unseen;
+        json["unseen"] = ordered_json::array();
+        for (const app::PassedSurface& passed : earth.unseen) json["unseen"].push_back(passed.name);
+        json["out_of_order"] = earth.out_of_order;
         return context.print(json);
     }
     for (const app::EarthStep& step : earth.steps) print_step(context, step);
@@ -164,9 +167,11 @@ void run_volumes(const Context& context, const Arguments& arguments) {
                                     earth.total.bound);
         print_units(context, earth.units);
     }
-    for (const std::string& surface : earth.unseen)
-        context.say(surface +
-                    " was passed over: none of its scans stands on the site grid; planum register places them");
+    for (const app::PassedSurface& passed : earth.unseen)
+        context.say(fmt::format("{} was passed over: {}", passed.name, passed.why));
+    for (const std::string& surface : earth.out_of_order)
+        context.say(surface + " was passed over: its days and its place in the order of surfaces disagree; planum "
+                              "check says with which");
     if (earth.steps.empty()) context.say("nothing to compare: it takes two surfaces with registered scans");
 }
 

@@ -17,11 +17,12 @@ namespace planum::app {
 namespace {
 
 strat::CheckResult run_checks(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
-                              std::span<const model::GroundAlteration> alterations, Progress& progress) {
+                              std::span<const model::GroundAlteration> alterations,
+                              std::span<const model::OutlineOverlap> overlaps, Progress& progress) {
     progress.step("building the matrix");
     const auto matrix = strat::HarrisMatrix::build(record);
     progress.step("checking");
-    return strat::check(record, matrix, strat::CheckOptions{}, surfaces, progress, alterations);
+    return strat::check(record, matrix, strat::CheckOptions{}, surfaces, progress, alterations, overlaps);
 }
 
 const model::Decision* last_sign_off(const model::Record& record) {
@@ -71,15 +72,15 @@ std::string acceptance_label(Project& project, const model::Diagnostic& problem)
 
 DailyCheck check_record(const model::Record& record, std::span<const model::SurfaceEvidence> surfaces,
                         Progress& progress) {
-    return reviewed(run_checks(record, surfaces, {}, progress), record);
+    return reviewed(run_checks(record, surfaces, {}, {}, progress), record);
 }
 
 DailyCheck check_record(const model::Record& record, const model::Measurements& measured, Progress& progress) {
-    return reviewed(run_checks(record, measured.pairs, measured.alterations, progress), record);
+    return reviewed(run_checks(record, measured.pairs, measured.alterations, measured.overlaps, progress), record);
 }
 
 DailyCheck check_record(const model::Record& record, Progress& progress) {
-    return reviewed(run_checks(record, {}, {}, progress), record);
+    return reviewed(run_checks(record, {}, {}, {}, progress), record);
 }
 
 std::size_t DailyCheck::count(model::Severity severity) const noexcept {

@@ -20,6 +20,7 @@
 #include "app/surfaces/surface_cache.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
+#include "core/model/surface_order.hpp"
 #include "scans/surface/altered_ground.hpp"
 #include "scans/surface/label_grid.hpp"
 
@@ -89,7 +90,7 @@ class AreaGround {
   public:
     AreaGround(Project& project, const AreaEvidence& area, Progress& progress)
         : project_(project), record_(project.record()), area_(area), progress_(progress),
-          folder_(scans_folder(project.path()) / "evidence") {
+          folder_(scans_folder(project.path()) / "evidence"), clashes_(model::clashes_of_order(record_)) {
         for (const model::Region& region : record_.regions) {
             if (region.section.is_nil()) regions_[region.surface].push_back(region);
         }
@@ -100,15 +101,13 @@ class AreaGround {
         const std::vector<model::Region>* drawn = nullptr;
         for (const model::Surface* surface : surfaces_in_time(record_, area_.area)) {
             progress_.check();
+            if (model::is_in_clash(clashes_, surface->id)) continue;
             if (const auto own = regions_.find(surface->id); own != regions_.end()) drawn = &own->second;
             const std::string key = surface_key(record_, surface->id, area_.frame);
             if (key.empty() || drawn == nullptr) continue;
             for (GroundAlteration& a : found(*surface, before, *drawn)) {
                 a.surface = surface_name(record_, *surface);
-                if (a.kind == Kind::Rose) {
-                    a.since = surface_name(record_, *before);
-                    a.order_and_days_differ = before->first_day > surface->first_day;
-                }
+                if (a.kind == Kind::Rose) a.since = surface_name(record_, *before);
                 all.push_back(std::move(a));
             }
             before = surface;
@@ -193,6 +192,7 @@ class AreaGround {
     const AreaEvidence& area_;
     Progress& progress_;
     std::filesystem::path folder_;
+    std::vector<model::OrderClash> clashes_; ///< nobody knows what was before or after those
     std::map<model::SurfaceId, std::vector<model::Region>> regions_;
 };
 

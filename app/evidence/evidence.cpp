@@ -15,13 +15,18 @@
 
 #include "app/evidence/outline_key.hpp"
 #include "app/evidence/step_cache.hpp"
+#include "app/regions/region_layout.hpp"
 #include "app/scans/days_surface.hpp"
 #include "app/scans/scan_stores.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "app/surfaces/surface_cache.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/geometry/polygons.hpp"
+#include "core/model/astray.hpp"
+#include "core/model/surface_order.hpp"
+#include "scans/surface/cells_within.hpp"
 #include "scans/surface/label_grid.hpp"
 #include "scans/surface/surface_step.hpp"
 
@@ -29,15 +34,15 @@ namespace planum::app {
 
 namespace {
 
-constexpr double kFar = 100.0; // from all set-ups of the scanner [m]
 constexpr double kSpare = 0.1; // around all outlines [m]
-constexpr std::string_view kVersion = "planum evidence 2\n";
+constexpr std::string_view kVersion = "planum evidence 3\n";
 
 // All that belongs to the surfaces of one area, in the order of time.
 class AreaWork {
   public:
     AreaWork(Project& project, model::AreaId area, Progress& progress)
-        : project_(project), record_(project.record()), progress_(progress) {
+        : project_(project), record_(project.record()), progress_(progress),
+          clashes_(model::clashes_of_order(record_)) {
         evidence_.area = area;
         surfaces_ = surfaces_in_time(record_, area);
         for (const model::Surface* surface : surfaces_) evidence_.surfaces.push_back(surface->id);
@@ -64,8 +69,12 @@ class AreaWork {
         }
         evidence_.frame = frame_;
         for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-            if (keys_[i].heights.empty() && !regions_[surfaces_[i]->id].empty())
-                evidence_.unseen.push_back({surfaces_[i]->id, "none of its scans stands on the site grid"});
+            if (is_out_of_order(i)) {
+                evidence_.unseen.push_back({surfaces_[i]->id, "its days and its place in the order of surfaces "
+                                                              "disagree; planum check says with which"});
+            } else if (keys_[i].heights.empty() && !regions_[surfaces_[i]->id].empty()) {
+                evidence_.unseen.push_back({surfaces_[i]->id, why_unseen(record_, *surfaces_[i])});
+            }
             progress_.check();
             progress_.fraction(static_cast<double>(i) / static_cast<double>(surfaces_.size()));
             evidence_.history.methods.push_back(surfaces_[i]->method);
@@ -104,37 +113,24 @@ class AreaWork {
         }
     }
 
-    [[nodiscard]] geometry::Extent extent_of_stations() const {
-        geometry::Extent extent;
-        for (const model::Scan& scan : record_.scans) {
-            const model::ScanPose* pose = model::pose_in_force(record_, scan.id);
-            if (pose != nullptr) extent.add(pose->site_from_scan[3], pose->site_from_scan[7]);
-        }
-        return extent;
-    }
-
-    // Outlines that lie astray, for one in other coordinates, would make a plan of kilometres; they are left out.
+    // Outlines that lie astray would make a plan of kilometres; they are left out.
     [[nodiscard]] geometry::Extent extent_of_outlines() {
-        const geometry::Extent stations = extent_of_stations();
+        const model::ScannedBox scanned(record_);
         geometry::Extent all;
         for (const model::Surface* surface : surfaces_) {
             std::size_t astray = 0;
             for (const model::Region& region : regions_[surface->id]) {
-                const geometry::Extent one = geometry::extent(scans::shape_of(region));
-                bool is_near = !one.is_empty() && !stations.is_empty();
-                for (std::size_t axis = 0; axis < 2 && is_near; ++axis) {
-                    is_near = one.low[axis] > stations.low[axis] - kFar && one.high[axis] < stations.high[axis] + kFar;
-                }
-                if (is_near) {
-                    all.add(one);
-                } else {
+                if (scanned.is_astray(region)) {
                     ++astray;
+                } else {
+                    all.add(geometry::extent(scans::shape_of(region)));
                 }
             }
             if (astray > 0) {
                 evidence_.unseen.push_back(
-                    {surface->id,
-                     fmt::format("{} of its outlines lie more than {:.0f} m from all scans", astray, kFar)});
+                    {surface->id, fmt::format("{} left out, more than {:.0f} m from all scans; planum check says where",
+                                              astray == 1 ? "an outline is" : fmt::format("{} outlines are", astray),
+                                              model::kFarthestOutline)});
             }
         }
         return all;
@@ -175,7 +171,9 @@ class AreaWork {
         keys_.clear();
         std::string so_far;
         for (const model::Surface* surface : surfaces_) {
-            std::string heights = surface_key(record_, surface->id, frame_);
+            // What came before or after such a surface nobody knows, so that it counts as one that nobody saw.
+            const bool is_ordered = !model::is_in_clash(clashes_, surface->id);
+            std::string heights = is_ordered ? surface_key(record_, surface->id, frame_) : std::string{};
             std::string labels = heights + fmt::format("\n{}\n", record_.settings.tolerance);
             for (const model::Region& region : regions_[surface->id]) labels += outline_key(region);
             so_far += heights + '\n';
@@ -233,6 +231,8 @@ class AreaWork {
         return floor;
     }
 
+    [[nodiscard]] bool is_out_of_order(std::size_t i) const { return model::is_in_clash(clashes_, surfaces_[i]->id); }
+
     [[nodiscard]] bool is_broken(std::size_t i) const { return broken_.contains(i); }
 
     [[nodiscard]] scans::SurfaceGrid heights(std::size_t i) {
@@ -259,9 +259,20 @@ class AreaWork {
         }
         std::erase_if(labelled_, [&](const auto& kept) { return kept.first + 1 < i; });
         const scans::SurfaceGrid grid = heights(i);
-        return labelled_
-            .emplace(i, scans::label_surface(grid, scans::label_cells(frame_, regions), regions, units, tolerance()))
-            .first->second;
+        const scans::LabelGrid labels = undisputed(scans::label_cells(frame_, regions), regions);
+        return labelled_.emplace(i, scans::label_surface(grid, labels, regions, units, tolerance())).first->second;
+    }
+
+    // What two outlines claim belongs to neither.
+    [[nodiscard]] static scans::LabelGrid undisputed(scans::LabelGrid labels,
+                                                     const std::vector<model::Region>& regions) {
+        std::vector<const model::Region*> all;
+        for (const model::Region& region : regions) all.push_back(&region);
+        for (const RegionOverlap& overlap : layout_regions(all).overlaps) {
+            scans::for_cells_within(labels.frame, overlap.where,
+                                    [&](std::size_t cell) { labels.region[cell] = scans::kNoRegion; });
+        }
+        return labels;
     }
 
     [[nodiscard]] scans::SurfaceGrid nothing_seen() const {
@@ -313,6 +324,7 @@ class AreaWork {
     Project& project_;
     const model::Record& record_;
     Progress& progress_;
+    std::vector<model::OrderClash> clashes_;
     AreaEvidence evidence_;
     std::optional<StepCache> cache_; ///< once the units have numbers
     scans::GridFrame frame_;

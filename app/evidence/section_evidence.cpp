@@ -9,6 +9,7 @@
 
 #include "app/evidence/altered_ground.hpp"
 #include "app/evidence/evidence.hpp"
+#include "app/evidence/outline_overlaps.hpp"
 #include "app/regions/region_layout.hpp"
 
 namespace planum::app {
@@ -99,7 +100,8 @@ std::vector<model::SurfaceEvidence> with_sections(std::vector<model::SurfaceEvid
 
 model::Measurements measured_evidence(Project& project, Progress& progress) {
     const std::vector<AreaEvidence> areas = gather_evidence(project, progress);
-    return {with_sections(surface_evidence(areas), project.record()), altered_ground(project, areas, progress)};
+    return {with_sections(surface_evidence(areas), project.record()), altered_ground(project, areas, progress),
+            outline_overlaps(project, progress)};
 }
 
 std::string reason_of(const model::Record& record, const model::RecordIndex& index, const SectionEvidence& evidence) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/records/field_table.hpp"
 
+#include <algorithm>
+
 #include "app/scans/days_surface.hpp"
+#include "core/model/surface_order.hpp"
 
 namespace planum::app {
 
@@ -35,6 +38,31 @@ std::vector<Field<model::Surface>> surface_fields() {
 class SurfaceKind final : public NamedKind<model::Surface> {
   public:
     SurfaceKind() : NamedKind("surface", &model::Record::surfaces, &model::Surface::name, surface_fields()) {}
+
+    [[nodiscard]] std::vector<std::string> remarks(Project& project, const std::string& name,
+                                                   const FieldValues& values) const override {
+        model::Record wished = project.record();
+        const model::SurfaceId id = find(project, name).id;
+        model::Surface& surface = *std::find_if(wished.surfaces.begin(), wished.surfaces.end(),
+                                                [&](const model::Surface& one) { return one.id == id; });
+        for (const auto& [field, text] : values) {
+            if (field == "first-day") surface.first_day = date_from(field, text);
+            if (field == "last-day") surface.last_day = date_from(field, text);
+            if (field == "order") surface.order = integer_from(field, text).value_or(0);
+        }
+        std::vector<std::string> said;
+        if (!surface.last_day.empty() && surface.last_day < surface.first_day)
+            said.push_back(
+                fmt::format("{} ends on {}, before it begins on {}", name, surface.last_day, surface.first_day));
+        for (const model::OrderClash& clash : model::clashes_of_order(wished)) {
+            if (clash.earlier->id != id && clash.later->id != id) continue;
+            said.push_back(
+                fmt::format("surface {} stands before {}, though its day is later: nothing is concluded from "
+                            "either until --order or their days are put right",
+                            surface_name(wished, *clash.earlier), surface_name(wished, *clash.later)));
+        }
+        return said;
+    }
 
   protected:
     [[nodiscard]] std::string name_of(const model::Surface& surface, Project& project) const override {

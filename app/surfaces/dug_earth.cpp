@@ -11,10 +11,12 @@
 
 #include "app/regions/region_names.hpp"
 #include "app/scans/days_surface.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "app/surfaces/known_ground.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/model/surface_order.hpp"
 #include "scans/surface/label_grid.hpp"
 #include "scans/surface/surface_difference.hpp"
 
@@ -72,8 +74,8 @@ class AreaEarth {
         std::optional<RecordedSurface> last;
         const model::Surface* last_surface = nullptr;
         for (const model::Surface* surface : surfaces) {
-            if (!is_seen(*surface)) {
-                report.unseen.push_back(surface_name(record_, *surface));
+            if (!is_seen(record_, *surface)) {
+                report.unseen.push_back({surface_name(record_, *surface), why_unseen(record_, *surface)});
                 continue;
             }
             RecordedSurface here = recorded_surface(project_, *surface, cell_, progress_);
@@ -84,12 +86,6 @@ class AreaEarth {
     }
 
   private:
-    [[nodiscard]] bool is_seen(const model::Surface& surface) const {
-        return std::any_of(record_.scans.begin(), record_.scans.end(), [&](const model::Scan& scan) {
-            return scan.surface == surface.id && model::pose_in_force(record_, scan.id) != nullptr;
-        });
-    }
-
     EarthStep step(const model::Surface& surface, const RecordedSurface& before, const model::Surface& next,
                    const RecordedSurface& after) {
         const scans::GridFrame frame = scans::common_frame(before.grid.frame, after.grid.frame);
@@ -218,6 +214,18 @@ std::vector<model::AreaId> areas_of(const model::Record& record, const std::stri
     return areas;
 }
 
+// Surfaces whose place in time is sure; the others are named in the report.
+std::vector<const model::Surface*> in_order(const model::Record& record, model::AreaId area, EarthReport& report) {
+    const std::vector<model::OrderClash> clashes = model::clashes_of_order(record);
+    std::vector<const model::Surface*> surfaces = surfaces_in_time(record, area);
+    std::erase_if(surfaces, [&](const model::Surface* surface) {
+        if (!model::is_in_clash(clashes, surface->id)) return false;
+        report.out_of_order.push_back(surface_name(record, *surface));
+        return true;
+    });
+    return surfaces;
+}
+
 } // namespace
 
 EarthReport dug_earth(Project& project, const EarthQuery& query, Progress& progress) {
@@ -233,14 +241,12 @@ EarthReport dug_earth(Project& project, const EarthQuery& query, Progress& progr
         }
         AreaEarth(project, before.area, query.cell, progress).count({&before, &after}, report);
         if (!report.unseen.empty()) {
-            throw Error(
-                ErrorCode::Conflict,
-                fmt::format("surface {}: none of its scans stands on the site grid; planum register places them",
-                            report.unseen.front()));
+            throw Error(ErrorCode::Conflict,
+                        fmt::format("surface {}: {}", report.unseen.front().name, report.unseen.front().why));
         }
     } else {
         for (const model::AreaId area : areas_of(record, query.area))
-            AreaEarth(project, area, query.cell, progress).count(surfaces_in_time(record, area), report);
+            AreaEarth(project, area, query.cell, progress).count(in_order(record, area, report), report);
     }
     sum_up(report);
     return report;

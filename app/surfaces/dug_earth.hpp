@@ -37,11 +37,17 @@ struct EarthStep {
     std::vector<EarthOfUnit> units; ///< that lay bare on `before`; in the order of their names
 };
 
+struct PassedSurface {
+    std::string name;
+    std::string why; ///< no registered scan shows it
+};
+
 struct EarthReport {
     std::vector<EarthStep> steps;
-    std::vector<EarthOfUnit> units;  ///< over all steps
-    Earth total;                     ///< over all steps
-    std::vector<std::string> unseen; ///< surfaces that no registered scan shows; passed over
+    std::vector<EarthOfUnit> units; ///< over all steps
+    Earth total;                    ///< over all steps
+    std::vector<PassedSurface> unseen;
+    std::vector<std::string> out_of_order; ///< model::is_in_clash(); passed over where the order says what is next
 };
 
 struct EarthQuery {

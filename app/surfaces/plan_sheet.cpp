@@ -14,12 +14,14 @@
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_names.hpp"
 #include "app/scans/days_surface.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "app/surfaces/recorded_surface.hpp"
 #include "app/surfaces/surface_cache.hpp"
 #include "app/surfaces/surface_picture.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/geometry/polygon_overlay.hpp"
+#include "core/model/astray.hpp"
 #include "scans/surface/label_grid.hpp"
 
 namespace planum::app {
@@ -102,7 +104,7 @@ constexpr std::array<KindWords, 8> kKindWords = {{{UnitKind::Deposit, UnitForm::
 class PlanMaker {
   public:
     PlanMaker(Project& project, const PlanRequest& request, Progress& progress)
-        : project_(project), record_(project.record()), request_(request), progress_(progress) {}
+        : project_(project), record_(project.record()), request_(request), progress_(progress), scanned_(record_) {}
 
     PlanSheet make() {
         sheet().site = record_.settings.name;
@@ -137,7 +139,7 @@ class PlanMaker {
         const model::Surface& surface = wanted_surface();
         plan_.surface = surface_name(record_, surface);
         sheet().title = "Plan of " + plan_.surface;
-        const std::vector<const model::Region*> regions = regions_on(record_, surface.id);
+        const std::vector<const model::Region*> regions = near_regions(surface);
         geometry::Extent outlines;
         for (const model::Region* region : regions) outlines.add(geometry::extent(scans::shape_of(*region)));
         lay_ground(surface, outlines);
@@ -148,6 +150,19 @@ class PlanMaker {
         sheet().subtitle = std::string(to_word(surface.method)) + (ground_.empty() ? "" : " · " + ground_);
     }
 
+    // Without those that would make a plan of kilometres.
+    [[nodiscard]] std::vector<const model::Region*> near_regions(const model::Surface& surface) {
+        std::vector<const model::Region*> regions = regions_on(record_, surface.id);
+        std::erase_if(regions, [&](const model::Region* region) {
+            if (!scanned_.is_astray(*region)) return false;
+            plan_.notes.push_back(fmt::format("{} lies more than {:.0f} m from all scans and was left out",
+                                              region_name(record_, project_.index(), *region),
+                                              model::kFarthestOutline));
+            return true;
+        });
+        return regions;
+    }
+
     static std::string scans_of(const RecordedSurface& made) {
         return made.scans.size() == 1 ? "one scan" : fmt::format("{} scans", made.scans.size());
     }
@@ -155,10 +170,7 @@ class PlanMaker {
     // The picture from the scans, and what the sheet shows.
     void lay_ground(const model::Surface& surface, const geometry::Extent& outlines) {
         sheet().extent = sheet_extent(outlines, kSpare);
-        const bool placed = std::any_of(record_.scans.begin(), record_.scans.end(), [&](const model::Scan& scan) {
-            return scan.surface == surface.id && model::pose_in_force(record_, scan.id) != nullptr;
-        });
-        if (!placed) {
+        if (!is_seen(record_, surface)) {
             plan_.notes.push_back(
                 fmt::format("{}: no registered scan shows it; the plan has outlines only", plan_.surface));
             return;
@@ -275,7 +287,7 @@ class PlanMaker {
         std::vector<std::pair<const model::Surface*, const model::Region*>> outlines;
         geometry::Extent extent;
         for (const model::Region& region : record_.regions) {
-            if (region.unit != unit.id || !region.section.is_nil()) continue;
+            if (region.unit != unit.id || !region.section.is_nil() || scanned_.is_astray(region)) continue;
             for (const model::Surface& surface : record_.surfaces) {
                 if (surface.id == region.surface) outlines.emplace_back(&surface, &region);
             }
@@ -319,6 +331,7 @@ class PlanMaker {
     const model::Record& record_;
     const PlanRequest& request_;
     Progress& progress_;
+    model::ScannedBox scanned_;
     PlanSheet plan_;
     std::string ground_; ///< what the picture is
     std::optional<scans::SurfaceGrid> grid_;

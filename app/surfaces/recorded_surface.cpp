@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "app/scans/days_surface.hpp"
+#include "app/scans/surface_scans.hpp"
 #include "app/surfaces/surface_cache.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygons.hpp"
+#include "core/model/astray.hpp"
 #include "scans/surface/label_grid.hpp"
 
 namespace planum::app {
@@ -49,8 +51,10 @@ std::optional<scans::PlanBox> plan_of_area(const model::Record& record, model::A
         return surface != nullptr && surface->area == area;
     };
     geometry::Extent outlines;
+    const model::ScannedBox scanned(record);
     for (const model::Region& region : record.regions) {
-        if (in_area(region.surface)) outlines.add(geometry::extent(scans::shape_of(region)));
+        if (in_area(region.surface) && !scanned.is_astray(region))
+            outlines.add(geometry::extent(scans::shape_of(region)));
     }
     geometry::Extent stations;
     for (const model::Scan& scan : record.scans) {
@@ -76,14 +80,10 @@ scans::GridFrame frame_of_area(const model::Record& record, model::AreaId area, 
 RecordedSurface surface_without_heights(const model::Record& record, const model::Surface& surface) {
     RecordedSurface result;
     result.name = surface_name(record, surface);
-    for (const model::Scan& scan : record.scans) {
-        if (scan.surface != surface.id) continue;
-        (model::pose_in_force(record, scan.id) != nullptr ? result.scans : result.raw).push_back(scan.name);
-    }
+    for (const model::Scan* scan : scans_of(record, surface))
+        (model::pose_in_force(record, scan->id) != nullptr ? result.scans : result.raw).push_back(scan->name);
     if (result.scans.empty()) {
-        throw Error(ErrorCode::Conflict,
-                    fmt::format("surface {}: none of its scans stands on the site grid; planum register places them",
-                                result.name));
+        throw Error(ErrorCode::Conflict, fmt::format("surface {}: {}", result.name, why_unseen(record, surface)));
     }
     return result;
 }

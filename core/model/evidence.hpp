@@ -40,11 +40,10 @@ struct GroundAlteration {
     };
 
     Kind kind = Kind::Rose;
-    std::string surface;                ///< as lists call it
-    std::string since;                  ///< the surface it rose from
-    bool order_and_days_differ = false; ///< `since` comes before by its order, but after by its day
-    std::vector<UnitId> units;          ///< that lie there, largest part first
-    double x = 0.0;                     ///< a place inside [m, site]
+    std::string surface;       ///< as lists call it
+    std::string since;         ///< the surface it rose from
+    std::vector<UnitId> units; ///< that lie there, largest part first
+    double x = 0.0;            ///< a place inside [m, site]
     double y = 0.0;
     double area = 0.0;       ///< [m²]
     double change = 0.0;     ///< median of how much higher it is, or one scan has it [m]
@@ -57,12 +56,26 @@ struct GroundAlteration {
     friend bool operator==(const GroundAlteration&, const GroundAlteration&) = default;
 };
 
-/// All that scans and sections say to the checks.
+/// Two outlines of one surface or section that claim the same ground, which so belongs to neither.
+struct OutlineOverlap {
+    std::string where; ///< the surface or section, as lists call it
+    std::string first; ///< names of the regions
+    std::string second;
+    std::vector<UnitId> units; ///< that they show
+    double area = 0.0;         ///< [m²]
+    double x = 0.0;            ///< a place inside: in plan, or along the section and up [m]
+    double y = 0.0;
+
+    friend bool operator==(const OutlineOverlap&, const OutlineOverlap&) = default;
+};
+
+/// All that scans, sections and outlines say to the checks.
 struct Measurements {
     std::vector<SurfaceEvidence> pairs;
     std::vector<GroundAlteration> alterations;
+    std::vector<OutlineOverlap> overlaps;
 
-    [[nodiscard]] bool empty() const noexcept { return pairs.empty() && alterations.empty(); }
+    [[nodiscard]] bool empty() const noexcept { return pairs.empty() && alterations.empty() && overlaps.empty(); }
 
     friend bool operator==(const Measurements&, const Measurements&) = default;
 };

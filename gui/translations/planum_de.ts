@@ -5015,12 +5015,20 @@ Bitte den Namen prüfen.</translation>
         <translation>%1 liegt nicht im Grabungsnetz, also folgt nichts daraus; Einpassen in der Liste der Scans sagt, warum</translation>
     </message>
     <message>
-        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (Finds and lists › Surfaces › Place in time)</source>
-        <translation>Am %1 lagen %2 m² von %3 bei %4 in %5 bis %6 m Höhe %7 m höher als am %8; das ist der spätere Tag, steht in der Folge der Flächen aber zuerst: die Flächen in ihre Folge bringen (Funde und Listen › Flächen › Platz in der Zeit)</translation>
-    </message>
-    <message>
         <source>%1; the record has %2 above %3 and %4 above %5: one of the two is wrong</source>
         <translation>%1; die Aufnahme hat %2 über %3 und %4 über %5: eines von beiden ist falsch</translation>
+    </message>
+    <message>
+        <source>the outline of %1 on %2 near %3 %4 reaches %5 away from all set-ups of the scanner: plans leave it out and nothing is concluded from it; is it in other coordinates than the site?</source>
+        <translation>der Umriss von %1 am %2 bei %3 %4 reicht %5 weg von allen Standpunkten des Scanners: Pläne lassen ihn aus, und aus ihm wird nichts geschlossen; liegt er in anderen Koordinaten als die Grabung?</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both claim %3 m² near %4 %5: neither gets that ground, and nothing is concluded from it until one of the outlines is redrawn</source>
+        <translation>%1 und %2 beanspruchen beide %3 m² bei %4 %5: keiner bekommt diesen Boden, und aus ihm wird nichts geschlossen, bis einer der Umrisse neu gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>surface %1 of %2 stands before %3 of %4 in the order of surfaces, though its day is later: nothing is concluded from either until they are put in their order (Finds and lists › Surfaces › Place in time)</source>
+        <translation>die Fläche %1 vom %2 steht in der Folge der Flächen vor %3 vom %4, obwohl ihr Tag später ist: aus beiden wird nichts geschlossen, bis sie in ihrer Folge stehen (Funde und Listen › Flächen › Platz in der Zeit)</translation>
     </message>
 </context>
 <context>
@@ -7026,14 +7034,6 @@ Bitte den Namen prüfen.</translation>
         <translation>die Flächen %1 und %2 gehören zu zwei Schnitten; vergleichen lassen sich nur die eines Schnitts</translation>
     </message>
     <message>
-        <source>none of its scans stands on the site grid</source>
-        <translation>keiner ihrer Scans liegt im Grabungsnetz</translation>
-    </message>
-    <message>
-        <source>%1 of its outlines lie more than %2 m from all scans</source>
-        <translation>%1 ihrer Umrisse liegen mehr als %2 m von allen Scans entfernt</translation>
-    </message>
-    <message>
         <source>%1: there are neither outlines nor registered scans to show</source>
         <translation>%1: es gibt weder Umrisse noch eingepasste Scans zu zeigen</translation>
     </message>
@@ -7160,6 +7160,54 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>the site has no %1 yet</source>
         <translation>die Grabung hat noch keine %1</translation>
+    </message>
+    <message>
+        <source>surface %1: no scan of its days is in the project; Add scans brings them</source>
+        <translation>Fläche %1: kein Scan ihrer Tage ist im Projekt; Scans aufnehmen bringt sie</translation>
+    </message>
+    <message>
+        <source>its days and its place in the order of surfaces disagree</source>
+        <translation>ihre Tage und ihr Platz in der Folge der Flächen widersprechen sich</translation>
+    </message>
+    <message>
+        <source>an outline is left out, more than %1 m from all scans</source>
+        <translation>ein Umriss ist ausgelassen, mehr als %1 m von allen Scans</translation>
+    </message>
+    <message>
+        <source>%1 outlines are left out, more than %2 m from all scans</source>
+        <translation>%1 Umrisse sind ausgelassen, mehr als %2 m von allen Scans</translation>
+    </message>
+    <message>
+        <source>none of its scans stands on the site grid; Register in the list of scans places them</source>
+        <translation>keiner ihrer Scans liegt im Grabungsnetz; Einpassen in der Liste der Scans holt das nach</translation>
+    </message>
+    <message>
+        <source>no scan of its days is in the project; Add scans brings them</source>
+        <translation>kein Scan ihrer Tage ist im Projekt; Scans aufnehmen bringt sie</translation>
+    </message>
+    <message>
+        <source>%1 lies more than %2 m from all scans and was left out</source>
+        <translation>%1 liegt mehr als %2 m von allen Scans und ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>it reaches %1 away from all set-ups of the scanner: plans leave it out and nothing is concluded from it; is it in other coordinates than the site?</source>
+        <translation>er reicht %1 weg von allen Standpunkten des Scanners: Pläne lassen ihn aus, und aus ihm wird nichts geschlossen; liegt er in anderen Koordinaten als die Grabung?</translation>
+    </message>
+    <message>
+        <source>it overlaps %1 by %2 m²; neither gets that ground</source>
+        <translation>er überschneidet %1 um %2 m²; keiner bekommt diesen Boden</translation>
+    </message>
+    <message>
+        <source>it lies %1 m off the plane of section %2, which runs from %3 %4 to %5 %6; outlines on a section lie within %7 m of it</source>
+        <translation>er liegt %1 m neben der Ebene des Profils %2, die von %3 %4 nach %5 %6 läuft; Umrisse auf einem Profil liegen höchstens %7 m daneben</translation>
+    </message>
+    <message>
+        <source>%1 ends on %2, before it begins on %3</source>
+        <translation>%1 endet am %2, bevor sie am %3 beginnt</translation>
+    </message>
+    <message>
+        <source>surface %1 stands before %2, though its day is later: nothing is concluded from either until their places in time or their days are put right</source>
+        <translation>die Fläche %1 steht vor %2, obwohl ihr Tag später ist: aus beiden wird nichts geschlossen, bis ihr Platz in der Zeit oder ihre Tage stimmen</translation>
     </message>
 </context>
 <context>
@@ -7554,6 +7602,18 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Relation that others imply</source>
         <translation>Beziehung, die aus anderen folgt</translation>
+    </message>
+    <message>
+        <source>Surfaces in the wrong order</source>
+        <translation>Flächen in falscher Folge</translation>
+    </message>
+    <message>
+        <source>Outline far from all scans</source>
+        <translation>Umriss fern von allen Scans</translation>
+    </message>
+    <message>
+        <source>Outlines on the same ground</source>
+        <translation>Umrisse auf demselben Boden</translation>
     </message>
 </context>
 </TS>

@@ -5009,11 +5009,19 @@ Please verify the correct directory name was given.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands first in the order of surfaces: put them in their order (Finds and lists › Surfaces › Place in time)</source>
+        <source>%1; the record has %2 above %3 and %4 above %5: one of the two is wrong</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1; the record has %2 above %3 and %4 above %5: one of the two is wrong</source>
+        <source>the outline of %1 on %2 near %3 %4 reaches %5 away from all set-ups of the scanner: plans leave it out and nothing is concluded from it; is it in other coordinates than the site?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 both claim %3 m² near %4 %5: neither gets that ground, and nothing is concluded from it until one of the outlines is redrawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1 of %2 stands before %3 of %4 in the order of surfaces, though its day is later: nothing is concluded from either until they are put in their order (Finds and lists › Surfaces › Place in time)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7020,14 +7028,6 @@ Please verify the correct directory name was given.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>none of its scans stands on the site grid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of its outlines lie more than %2 m from all scans</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: there are neither outlines nor registered scans to show</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7153,6 +7153,54 @@ Please verify the correct directory name was given.</source>
     </message>
     <message>
         <source>the site has no %1 yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1: no scan of its days is in the project; Add scans brings them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its days and its place in the order of surfaces disagree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an outline is left out, more than %1 m from all scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 outlines are left out, more than %2 m from all scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of its scans stands on the site grid; Register in the list of scans places them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scan of its days is in the project; Add scans brings them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies more than %2 m from all scans and was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it reaches %1 away from all set-ups of the scanner: plans leave it out and nothing is concluded from it; is it in other coordinates than the site?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it overlaps %1 by %2 m²; neither gets that ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it lies %1 m off the plane of section %2, which runs from %3 %4 to %5 %6; outlines on a section lie within %7 m of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ends on %2, before it begins on %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface %1 stands before %2, though its day is later: nothing is concluded from either until their places in time or their days are put right</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7547,6 +7595,18 @@ Please verify the correct directory name was given.</source>
     </message>
     <message>
         <source>Relation that others imply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surfaces in the wrong order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline far from all scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outlines on the same ground</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -52,6 +52,12 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences", "%1 units lie above one another in a circle once same-as is applied: %2"),
     QT_TRANSLATE_NOOP("sentences", "%1; nothing in the record tells which of these is wrong"),
     QT_TRANSLATE_NOOP("sentences", "%1; most suspect: %2"),
+    QT_TRANSLATE_NOOP("sentences",
+                      "the outline of %1 on %2 near %3 %4 reaches %5 away from all set-ups of the scanner: "
+                      "plans leave it out and nothing is concluded from it; is it in other coordinates "
+                      "than the site?"),
+    QT_TRANSLATE_NOOP("sentences", "%1 and %2 both claim %3 m² near %4 %5: neither gets that ground, and nothing is "
+                                   "concluded from it until one of the outlines is redrawn"),
     QT_TRANSLATE_NOOP("sentences", "%1, yet same-as makes the two one unit"),
     QT_TRANSLATE_NOOP("sentences", "without it the two are two units"),
     QT_TRANSLATE_NOOP("sentences", "a unit cannot lie above itself"),
@@ -243,11 +249,11 @@ constexpr std::array kReworded = {
     Reworded{"%1 is not on the site grid, so nothing can be concluded from it; planum register SITE says why",
              QT_TRANSLATE_NOOP("sentences", "%1 is not on the site grid, so nothing can be concluded from it; Register "
                                             "in the list of scans says why")},
-    Reworded{"on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later day but stands "
-             "first in the order of surfaces: put them in their order (planum surface set --order)",
+    Reworded{"surface %1 of %2 stands before %3 of %4 in the order of surfaces, though its day is later: nothing is "
+             "concluded from either until they are put in their order (planum surface set --order)",
              QT_TRANSLATE_NOOP("sentences",
-                               "on %1 %2 m² of %3 near %4 at %5 to %6 m lay %7 m higher than on %8, which is the later "
-                               "day but stands first in the order of surfaces: put them in their order (Finds and "
+                               "surface %1 of %2 stands before %3 of %4 in the order of surfaces, though its day is "
+                               "later: nothing is concluded from either until they are put in their order (Finds and "
                                "lists › Surfaces › Place in time)")},
 };
 

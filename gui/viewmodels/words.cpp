@@ -141,7 +141,7 @@ QString shows_word(model::RegionShows shows) {
 }
 
 QString check_title(std::string_view code) {
-    static constexpr std::array<std::pair<std::string_view, const char*>, 30> kTitles = {{
+    static constexpr std::array<std::pair<std::string_view, const char*>, 33> kTitles = {{
         {"cycle", QT_TRANSLATE_NOOP("words", "Units above one another in a circle")},
         {"cycle-by-same-as", QT_TRANSLATE_NOOP("words", "Circle made by “same as”")},
         {"self-relation", QT_TRANSLATE_NOOP("words", "Unit above itself")},
@@ -169,6 +169,9 @@ QString check_title(std::string_view code) {
         {"region-without-unit", QT_TRANSLATE_NOOP("words", "Outline without a unit")},
         {"scan-unregistered", QT_TRANSLATE_NOOP("words", "Scan not on the site grid")},
         {"scan-poorly-registered", QT_TRANSLATE_NOOP("words", "Scan placed with doubt")},
+        {"surface-order", QT_TRANSLATE_NOOP("words", "Surfaces in the wrong order")},
+        {"region-astray", QT_TRANSLATE_NOOP("words", "Outline far from all scans")},
+        {"region-overlap", QT_TRANSLATE_NOOP("words", "Outlines on the same ground")},
         {"surface-changed-within", QT_TRANSLATE_NOOP("words", "Surface changed while it was scanned")},
         {"surface-rose", QT_TRANSLATE_NOOP("words", "Ground rose")},
         {"redundant-relation", QT_TRANSLATE_NOOP("words", "Relation that others imply")},

@@ -32,6 +32,7 @@ constexpr std::array kFamilies = {
     Family{"looking at sources", check_sources},
     Family{"looking at scans", check_scans},
     Family{"looking at outlines", check_regions},
+    Family{"looking at the order of surfaces", check_surface_order},
     Family{"looking at ground that changed", check_ground},
     Family{"counting redundant relations", check_redundancy},
 };
@@ -62,6 +63,9 @@ constexpr std::array kCodes = {
               "relations on one sheet only, in a source that states most on both; one line a source"},
     CheckCode{"dangling-unit", Severity::Warning, "a unit that is named but has no sheet"},
     CheckCode{"unparsed", Severity::Warning, "a line of a source that was not understood"},
+    CheckCode{"region-overlap", Severity::Warning, "two outlines that claim the same ground"},
+    CheckCode{"region-astray", Severity::Warning, "an outline more than 100 m away from all scans"},
+    CheckCode{"surface-order", Severity::Warning, "a surface that stands in the order before one of an earlier day"},
     CheckCode{"isolated-unit", Severity::Info, "a unit in no order"},
     CheckCode{"unit-without-region", Severity::Info, "a unit that is outlined nowhere"},
     CheckCode{"region-without-unit", Severity::Info, "an outline of a unit that has no number, or one that is no unit"},
@@ -76,9 +80,11 @@ constexpr std::array kCodes = {
 
 CheckResult check(const model::Record& record, const HarrisMatrix& merged, const CheckOptions& options,
                   std::span<const model::SurfaceEvidence> surfaces, Progress& progress,
-                  std::span<const model::GroundAlteration> alterations) {
+                  std::span<const model::GroundAlteration> alterations,
+                  std::span<const model::OutlineOverlap> overlaps) {
     CheckContext context(record, merged, options, surfaces, progress);
     context.alterations = alterations;
+    context.overlaps = overlaps;
     CheckResult result;
     for (const Family& family : kFamilies) {
         progress.check();

@@ -29,12 +29,13 @@ struct CheckResult {
 };
 
 /// Everything the record itself contradicts, without scans of its own; `surfaces` may add what scans
-/// say about pairs, `alterations` where ground rose or scans of one surface disagree. `merged` is the matrix of the
-/// same record with same_as merged. Result and order do not depend on the order of the input. O((units + relations) log
-/// units) apart from cycle groups. Throws Error{Cancelled} when asked to stop.
+/// say about pairs, `alterations` where ground rose or scans of one surface disagree, `overlaps` where outlines do.
+/// `merged` is the matrix of the same record with same_as merged. Result and order do not depend on the order of the
+/// input. O((units + relations) log units) apart from cycle groups. Throws Error{Cancelled} when asked to stop.
 [[nodiscard]] CheckResult check(const model::Record& record, const HarrisMatrix& merged, const CheckOptions& options,
                                 std::span<const model::SurfaceEvidence> surfaces, Progress& progress,
-                                std::span<const model::GroundAlteration> alterations = {});
+                                std::span<const model::GroundAlteration> alterations = {},
+                                std::span<const model::OutlineOverlap> overlaps = {});
 
 /// One code and what it means; docs/checks.md and the help are made from the same table.
 struct CheckCode {

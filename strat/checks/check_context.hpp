@@ -53,6 +53,7 @@ struct CheckContext {
     const CheckOptions& options;
     std::span<const model::SurfaceEvidence> surfaces;
     std::span<const model::GroundAlteration> alterations; ///< set by check(); none elsewhere
+    std::span<const model::OutlineOverlap> overlaps;      ///< the same
     Progress& progress;
     model::RecordIndex index;
 

@@ -29,6 +29,7 @@ void check_sources(const CheckContext& context, Findings& findings);
 void check_scans(const CheckContext& context, Findings& findings);
 void check_regions(const CheckContext& context, Findings& findings);
 void check_ground(const CheckContext& context, Findings& findings);
+void check_surface_order(const CheckContext& context, Findings& findings);
 void check_redundancy(const CheckContext& context, Findings& findings);
 
 /// How many of the relations that state an order could be judged by heights or surfaces; `verdicts` gets what is said

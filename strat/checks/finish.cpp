@@ -118,7 +118,8 @@ std::string diagnostic_id(const CheckContext& context, const model::Diagnostic& 
         if (it == d.evidence.end()) return;
         if (const auto* text = std::get_if<std::string>(&it->second)) parts.push_back(key + "=" + *text);
     };
-    for (const std::string key : {"find", "source", "file", "note", "text", "scan", "region", "surface", "since"})
+    for (const std::string key :
+         {"find", "source", "file", "note", "text", "scan", "region", "other_region", "surface", "since"})
         add_text(key);
     return short_hash(d.code, parts);
 }

@@ -33,12 +33,6 @@ std::string sentence(const CheckContext& context, const model::GroundAlteration&
                            altered.surface, altered.area, whose(context, altered), place(altered), altered.higher_scan,
                            altered.change, altered.lower_scan);
     }
-    if (altered.order_and_days_differ) {
-        return fmt::format("on {} {:.2f} m² of {} {} lay {:.2f} m higher than on {}, which is the later day but stands "
-                           "first in the order of surfaces: put them in their order (planum surface set --order)",
-                           altered.surface, altered.area, whose(context, altered), place(altered), altered.change,
-                           altered.since);
-    }
     return fmt::format("on {} {:.2f} m² of {} {} lay {:.2f} m higher than on {}: heaped up, filled in, or a scan is "
                        "misplaced; nothing is concluded there until it is below its former height",
                        altered.surface, altered.area, whose(context, altered), place(altered), altered.change,

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/model/astray.hpp"
 #include "strat/checks/families.hpp"
 #include "strat/checks/finish.hpp"
 
@@ -49,6 +50,53 @@ void add_unnamed(const CheckContext& context, Findings& findings) {
     }
 }
 
+std::string drawn_as(const CheckContext& context, const model::Region& region) {
+    const UnitIndex unit = context.index.find(region.unit);
+    if (unit != model::kNoUnit) return context.name(unit);
+    if (!region.unit_as_drawn.empty()) return region.unit_as_drawn;
+    return region.category == model::RegionCategory::Unit ? "a unit without number"
+                                                          : std::string(to_word(region.category));
+}
+
+void add_astray(const CheckContext& context, Findings& findings) {
+    const model::ScannedBox scanned(context.record);
+    for (const model::Region& region : context.record.regions) {
+        if (!scanned.is_astray(region)) continue;
+        const double distance = scanned.distance(region);
+        auto d = make_diagnostic(
+            model::Severity::Warning, "region-astray",
+            fmt::format(
+                "the outline of {} {}{} reaches {} away from all set-ups of the scanner: plans leave it out and "
+                "nothing is concluded from it; is it in other coordinates than the site?",
+                drawn_as(context, region), where_drawn(context.record, region), near_what(region),
+                model::far_words(distance)));
+        if (context.index.find(region.unit) != model::kNoUnit) d.units = {region.unit};
+        d.evidence["region"] = region.id.to_string();
+        d.evidence["distance_m"] = distance;
+        findings.push_back(std::move(d));
+    }
+}
+
+void add_overlaps(const CheckContext& context, Findings& findings) {
+    for (const model::OutlineOverlap& overlap : context.overlaps) {
+        auto d = make_diagnostic(
+            model::Severity::Warning, "region-overlap",
+            fmt::format("{} and {} both claim {:.2f} m² near {:.2f} {:.2f}: neither gets that ground, and nothing is "
+                        "concluded from it until one of the outlines is redrawn",
+                        overlap.first, overlap.second, overlap.area, overlap.x, overlap.y));
+        for (const model::UnitId unit : overlap.units) {
+            if (context.index.find(unit) != model::kNoUnit) d.units.push_back(unit);
+        }
+        d.evidence["surface"] = overlap.where;
+        d.evidence["region"] = overlap.first;
+        d.evidence["other_region"] = overlap.second;
+        d.evidence["area_m2"] = overlap.area;
+        d.evidence["x"] = overlap.x;
+        d.evidence["y"] = overlap.y;
+        findings.push_back(std::move(d));
+    }
+}
+
 // Areas in which somebody outlines; where nobody does, its lack says nothing.
 std::set<model::AreaId> outlined_areas(const model::Record& record) {
     std::unordered_map<model::SurfaceId, model::AreaId> area_of;
@@ -82,6 +130,8 @@ void add_undrawn(const CheckContext& context, Findings& findings) {
 } // namespace
 
 void check_regions(const CheckContext& context, Findings& findings) {
+    add_astray(context, findings);
+    add_overlaps(context, findings);
     if (!context.options.with_infos || context.record.scans.empty()) return;
     add_unnamed(context, findings);
     add_undrawn(context, findings);

@@ -89,6 +89,23 @@ constexpr std::array kHints = {
              QT_TRANSLATE_NOOP(
                  "services",
                  "surface %1: none of its scans stands on the site grid; Register in the list of scans places them")},
+    Reworded{"surface %1: no scan of its days is in the project; planum scan add brings them",
+             QT_TRANSLATE_NOOP("services", "surface %1: no scan of its days is in the project; Add scans brings them")},
+    Reworded{"surface %1 stands before %2, though its day is later: nothing is concluded from either until --order or "
+             "their days are put right",
+             QT_TRANSLATE_NOOP("services", "surface %1 stands before %2, though its day is later: nothing is concluded "
+                                           "from either until their places in time or their days are put right")},
+    Reworded{"its days and its place in the order of surfaces disagree; planum check says with which",
+             QT_TRANSLATE_NOOP("services", "its days and its place in the order of surfaces disagree")},
+    Reworded{"an outline is left out, more than %1 m from all scans; planum check says where",
+             QT_TRANSLATE_NOOP("services", "an outline is left out, more than %1 m from all scans")},
+    Reworded{"%1 outlines are left out, more than %2 m from all scans; planum check says where",
+             QT_TRANSLATE_NOOP("services", "%1 outlines are left out, more than %2 m from all scans")},
+    Reworded{"none of its scans stands on the site grid; planum register places them",
+             QT_TRANSLATE_NOOP("services",
+                               "none of its scans stands on the site grid; Register in the list of scans places them")},
+    Reworded{"no scan of its days is in the project; planum scan add brings them",
+             QT_TRANSLATE_NOOP("services", "no scan of its days is in the project; Add scans brings them")},
     Reworded{"the project has no surface yet; planum scan add or region import make them",
              QT_TRANSLATE_NOOP("services", "the project has no surface yet; scans or outlines of a day make them")},
     Reworded{"neither outlines nor registered scans say where the area is: planum region import, planum register",

@@ -101,8 +101,13 @@ constexpr std::array kSentences = {
                       "contradicts the other links and markers by %1 standard deviations (%2 mm, %3 degrees)"),
     QT_TRANSLATE_NOOP("services", "the surface is no longer in the record"),
     QT_TRANSLATE_NOOP("services", "surfaces %1 and %2 belong to two areas; only those of one can be compared"),
-    QT_TRANSLATE_NOOP("services", "none of its scans stands on the site grid"),
-    QT_TRANSLATE_NOOP("services", "%1 of its outlines lie more than %2 m from all scans"),
+    QT_TRANSLATE_NOOP("services", "%1 lies more than %2 m from all scans and was left out"),
+    QT_TRANSLATE_NOOP("services", "it reaches %1 away from all set-ups of the scanner: plans leave it out and nothing "
+                                  "is concluded from it; is it in other coordinates than the site?"),
+    QT_TRANSLATE_NOOP("services", "it overlaps %1 by %2 m²; neither gets that ground"),
+    QT_TRANSLATE_NOOP("services", "it lies %1 m off the plane of section %2, which runs from %3 %4 to %5 %6; outlines "
+                                  "on a section lie within %7 m of it"),
+    QT_TRANSLATE_NOOP("services", "%1 ends on %2, before it begins on %3"),
     QT_TRANSLATE_NOOP("services", "%1: there are neither outlines nor registered scans to show"),
     QT_TRANSLATE_NOOP("services", "unit %1 has no outline on any surface"),
     QT_TRANSLATE_NOOP("services", "%1: no registered scan shows it; the plan has outlines only"),

@@ -60,16 +60,6 @@ TEST_CASE("Ground that rose is said with unit, place, area and heights") {
     CHECK(said(r, {rose}, "surface-rose", quiet).empty());
 }
 
-TEST_CASE("Ground that rose because surfaces stand in the wrong order says that") {
-    SmallRecord r;
-    r.covers("1", "2");
-    auto rose = altered(GroundAlteration::Kind::Rose, {r.unit("2").id});
-    rose.order_and_days_differ = true;
-    const auto found = said(r, {rose}, "surface-rose");
-    REQUIRE(found.size() == 1);
-    CHECK_THAT(found[0].message, Catch::Contains("the later day but stands first in the order of surfaces"));
-}
-
 TEST_CASE("Scans of one surface that disagree are named, the higher one as such") {
     SmallRecord r;
     r.covers("1", "2");

@@ -162,3 +162,51 @@ TEST_CASE("Many units without outlines are one line that names some") {
     REQUIRE(found.size() == 1);
     CHECK_THAT(found[0].message, Catch::Contains("31 units"));
 }
+
+TEST_CASE("A surface that stands before one of an earlier day is said, and which") {
+    model::Record record = record_with_outline();
+    model::Surface next = record.surfaces[0];
+    next.id = model::SurfaceId{SeededUuids(11).next()};
+    next.first_day = "2025-06-02";
+    next.order = 1;
+    record.surfaces.push_back(next);
+    CHECK(said(record, "surface-order").empty());
+    record.surfaces[1].order = -1;
+    const auto found = said(record, "surface-order");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].severity == model::Severity::Warning);
+    CHECK(found[0].message == "surface 2025-06-02 of 2025-06-02 stands before 2025-06-01 of 2025-06-01 in the order of "
+                              "surfaces, though its day is later: nothing is concluded from either until they are put "
+                              "in their order (planum surface set --order)");
+    record.surfaces[1].area = model::AreaId{SeededUuids(12).next()};
+    CHECK(said(record, "surface-order").empty());
+}
+
+TEST_CASE("An outline in other coordinates than the site is said with its place and distance") {
+    model::Record record = record_with_outline();
+    CHECK(said(record, "region-astray").empty());
+    for (auto& corner : record.regions[0].outline[0].outer) {
+        corner[0] += 3500000.0;
+        corner[1] += 5500000.0;
+    }
+    const auto found = said(record, "region-astray");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].units == std::vector{record.units[0].id});
+    CHECK(found[0].message == "the outline of 1 on 2025-06-01 near 3500000.00 5500000.00 reaches 6519 km away from all "
+                              "set-ups of the scanner: plans leave it out and nothing is concluded from it; is it in "
+                              "other coordinates than the site?");
+}
+
+TEST_CASE("Outlines that claim the same ground are said with names, area and place") {
+    const model::Record record = record_with_outline();
+    const auto matrix = strat::HarrisMatrix::build(record);
+    const model::OutlineOverlap overlap{"2025-06-01", "2025-06-01/1", "2025-06-01/1#2", {record.units[0].id}, 1.266,
+                                        104.5,        201.7};
+    auto all = strat::check(record, matrix, {}, {}, Progress::none(), {}, {&overlap, 1}).diagnostics;
+    std::erase_if(all, [](const model::Diagnostic& d) { return d.code != "region-overlap"; });
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].severity == model::Severity::Warning);
+    CHECK(all[0].units == overlap.units);
+    CHECK(all[0].message == "2025-06-01/1 and 2025-06-01/1#2 both claim 1.27 m² near 104.50 201.70: neither gets that "
+                            "ground, and nothing is concluded from it until one of the outlines is redrawn");
+}
