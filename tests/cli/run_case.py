@@ -18,18 +18,20 @@ def matches_all(expected, actual):
 
 def main():
     case, work = sys.argv[1], sys.argv[2]
-    steps, comments = [], []
+    steps, comments = [], []  # a step: the comments before it, its command, what it must print
     with open(case, encoding="utf-8") as lines:
         for line in lines.read().splitlines():
             if line.startswith("##"):
                 comments.append(line)
             elif line.startswith("$ "):
-                steps.append((line[2:], []))
+                steps.append((comments, line[2:], []))
+                comments = []
             elif steps:
-                steps[-1][1].append(line)
+                steps[-1][2].append(line)
     good = True
-    rewritten = list(comments)
-    for command, expected in steps:
+    rewritten = []
+    for before, command, expected in steps:
+        rewritten += before
         run = subprocess.run(["/bin/bash", "-c", command], cwd=work, stdin=subprocess.DEVNULL,
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, timeout=300)
         actual = run.stdout.decode("utf-8", "replace").splitlines()
