@@ -81,7 +81,7 @@ ordered_json to_json(app::Project& project, const app::SuggestionList& list) {
     }
     ordered_json unused = ordered_json::array();
     for (const app::UnusedSurface& one : list.unused) unused.push_back({{"surface", one.surface}, {"why", one.why}});
-    return {{"suggestions", all}, {"unused", unused}};
+    return {{"suggestions", all}, {"unused", unused}, {"without_kind", list.without_kind}};
 }
 
 // What somebody asked for, in the order it came.
@@ -143,6 +143,12 @@ void print_rest(const Context& context, const app::SuggestionList& list, const O
     print_count(model::SuggestionState::Recorded, "agree with what the record says already");
     print_count(model::SuggestionState::Accepted, "were accepted");
     print_count(model::SuggestionState::Rejected, "were rejected");
+    if (list.without_kind > 0) {
+        *context.out << fmt::format("{} without a kind: say whether they are deposits, fills, structures (planum unit "
+                                    "set --kind); more can be concluded then, on levels most of it\n",
+                                    list.without_kind == 1 ? "one outlined unit is"
+                                                           : fmt::format("{} outlined units are", list.without_kind));
+    }
     for (const app::UnusedSurface& one : list.unused)
         *context.out << fmt::format("not judged: surface {}: {}\n", one.surface, one.why);
 }

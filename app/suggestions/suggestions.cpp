@@ -271,6 +271,9 @@ SuggestionList list_suggestions(Project& project, Progress& progress) {
     for (const AreaEvidence& area : evidence) {
         const std::size_t seen = area.surfaces.size() - std::min(area.surfaces.size(), area.unseen.size());
         list.compared += seen - std::min<std::size_t>(seen, 1);
+        list.without_kind += static_cast<std::size_t>(
+            std::count_if(area.units.begin(), area.units.end(),
+                          [](const scans::KnownUnit& unit) { return unit.kind == model::UnitKind::Unknown; }));
         for (const UnseenSurface& unseen : area.unseen) {
             const auto surface = std::find_if(record.surfaces.begin(), record.surfaces.end(),
                                               [&](const model::Surface& one) { return one.id == unseen.surface; });

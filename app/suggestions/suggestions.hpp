@@ -24,7 +24,8 @@ struct UnusedSurface {
 struct SuggestionList {
     std::vector<model::Suggestion> suggestions;
     std::vector<UnusedSurface> unused;
-    std::size_t compared = 0; ///< pairs of successive surfaces
+    std::size_t compared = 0;     ///< pairs of successive surfaces
+    std::size_t without_kind = 0; ///< outlined units of which nobody said what they are: less is concluded of them
 };
 
 /// All that the surfaces propose: open ones first, relations before questions, the largest contacts first. Questions

@@ -45,6 +45,9 @@ struct Nature {
 
     [[nodiscard]] bool is_fill() const { return unit->kind == UnitKind::Deposit && unit->form == UnitForm::Fill; }
 
+    /// Nobody said yet what it is.
+    [[nodiscard]] bool is_unknown() const { return unit->kind == UnitKind::Unknown; }
+
     /// What stands or lies in a cut.
     [[nodiscard]] bool fills_cuts() const { return is_fill() || is_structure() || unit->kind == UnitKind::Skeleton; }
 };
@@ -203,8 +206,15 @@ class Step {
             c.direct = true;
             return c;
         }
+        if (first.is_unknown() && lay_in_cut(s, before)) return begin(s, Ground::EmptiedCut, RelationKind::Later);
         if (static_cast<double>(s.cells) * area_ < kWorthAsking) return std::nullopt;
         return ask(s, Ground::RoofOfHollow);
+    }
+
+    // Whatever it is: nearly all of it that went came off the cut, of which nothing was bare before. A roof goes on
+    // beside the mouth of its hollow, and that was emptied first.
+    [[nodiscard]] bool lay_in_cut(const Succession& s, std::int64_t bare_before) const {
+        return bare_before == 0 && share_into(s.first, s.then) >= kAllOfIt;
     }
 
     [[nodiscard]] std::optional<Conclusion> below_cut(const Succession& s) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "core/model/place.hpp"
 #include "scans/surface/questions.hpp"
@@ -14,12 +15,19 @@ using namespace planum::test;
 
 namespace {
 
-EvidenceTally tally_digs(model::DigMethod method, int first, int last, const GroundNoise& noise = {}) {
+EvidenceTally tally_digs(model::DigMethod method, int first, int last, const GroundNoise& noise = {},
+                         bool kinds_are_known = true) {
     EvidenceTally all;
     for (int seed = first; seed <= last; ++seed) {
         const auto dig = demo_dig(static_cast<std::uint64_t>(seed), method);
-        auto conclusions = scans::conclude(history_of(dig, noise), known_units(dig));
-        scans::keep_useful_questions(conclusions, known_units(dig).size());
+        std::vector<scans::KnownUnit> units = known_units(dig);
+        for (scans::KnownUnit& unit : units) {
+            if (kinds_are_known || unit.kind == model::UnitKind::Cut) continue;
+            unit.kind = model::UnitKind::Unknown;
+            unit.form = model::UnitForm::None;
+        }
+        auto conclusions = scans::conclude(history_of(dig, noise), units);
+        scans::keep_useful_questions(conclusions, units.size());
         all += tally_of(dig, conclusions, std::getenv("PLANUM_LOUD") != nullptr);
     }
     return all;
@@ -56,5 +64,17 @@ TEST_CASE("With outlines of every day displaced by a further 3 cm nothing is inv
         CHECK(t.inverted == 0);
         CHECK(t.contact_share() >= 0.9);
         CHECK(t.recall() >= 0.7);
+    }
+}
+
+// As `region import --create-units` makes them from outlines alone.
+TEST_CASE("Of units of which only cuts are known as such nothing is proposed the wrong way round") {
+    for (const auto method : {model::DigMethod::Stratigraphic, model::DigMethod::Planum, model::DigMethod::Mixed}) {
+        const EvidenceTally t = tally_digs(method, 1, 10, {}, false);
+        t.print("kinds unknown, " + std::string(model::to_word(method)));
+        CHECK(t.inverted == 0);
+        CHECK(t.contact_share() >= 0.9);
+        // On levels the rules go by what units are.
+        if (method == model::DigMethod::Stratigraphic) CHECK(t.recall() >= 0.8);
     }
 }
