@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/base/error.hpp"
 #include "paint/font_measure.hpp"
@@ -17,6 +18,17 @@ constexpr double kLeastWidth = 340.0; // so that scale bar and north arrow have 
 constexpr double kKeyLine = 15.0;
 constexpr double kKeyText = 8.0;
 constexpr double kSwatch = 18.0;
+constexpr double kTwoDashes = 13.0; // of 5 and a gap of 3, in widths of the line
+
+// Dashes show as such only where two of them and what is between have room.
+double swatch_width(const geometry::SheetLook& look) {
+    if (look.opacity > 0.0 || look.dash == geometry::SheetDash::Solid) return kSwatch;
+    return std::max(kSwatch, kTwoDashes * look.width * kPointsPerMillimetre);
+}
+
+std::int64_t ticks_between(double low, double high, double step) {
+    return static_cast<std::int64_t>(std::floor(high / step + 1e-9) - std::ceil(low / step - 1e-9)) + 1;
+}
 
 // Entries from left to right, line by line; returns the height they take.
 double place_keys(const geometry::MapSheet& sheet, double width, std::vector<PlacedKey>& keys) {
@@ -25,12 +37,13 @@ double place_keys(const geometry::MapSheet& sheet, double width, std::vector<Pla
     double line = 0.0;
     for (const geometry::SheetKey& key : sheet.keys) {
         const double words = measure.width(key.text, kKeyText, strat::FontWeight::Regular);
-        const double needs = kSwatch + 5.0 + words + 16.0;
+        const double swatch = swatch_width(key.look);
+        const double needs = swatch + 5.0 + words + 16.0;
         if (x > 0.0 && x + needs - 16.0 > width) {
             x = 0.0;
             line += kKeyLine;
         }
-        keys.push_back({&key, QRectF(x, line + 1.0, kSwatch, 9.0), x + kSwatch + 5.0, line + 8.5});
+        keys.push_back({&key, QRectF(x, line + 1.0, swatch, 9.0), x + swatch + 5.0, line + 8.5});
         x += needs;
     }
     return keys.empty() ? 0.0 : line + kKeyLine;
@@ -44,6 +57,23 @@ double round_length(double most) {
         if (step * power <= most * (1.0 + 1e-9)) return step * power;
     }
     return power;
+}
+
+double tick_step(const geometry::MapSheet& sheet, const MapPage& page, std::size_t axis) {
+    constexpr double kMost = 2.5 * 72.0; // [pt]
+    constexpr double kLeastAlong = 36.0; // numbers beside one another
+    constexpr double kLeastUp = 10.0;    // numbers below one another
+    const auto& [low, high] = sheet.extent;
+    double step = round_length(1.01 * kMost / page.points_per_metre);
+    const auto ticks = [&](std::size_t k) { return ticks_between(low[k], high[k], step); };
+    const auto is_enough = [&] { return sheet.is_section ? ticks(axis) >= 3 : std::min(ticks(0), ticks(1)) >= 2; };
+    const double least = sheet.is_section && axis == 1 ? kLeastUp : kLeastAlong;
+    while (!is_enough()) {
+        const double closer = round_length(0.99 * step);
+        if (closer * page.points_per_metre < least) break;
+        step = closer;
+    }
+    return step;
 }
 
 MapPage lay_out_map(const geometry::MapSheet& sheet, double scale, double width, double height) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <QRectF>
@@ -41,6 +42,11 @@ inline constexpr double kFootHeight = 30.0;
 /// into the middle. Needs ensure_qt_runtime(). Throws BadInput for an empty extent or scale.
 [[nodiscard]] MapPage lay_out_map(const geometry::MapSheet& sheet, double scale, double width = 0.0,
                                   double height = 0.0);
+
+/// How far apart the ticks of an axis (0: along, 1: up) stand [m]: a round length of up to 6 cm on paper; less where an
+/// axis of a section would have fewer than three ticks or one of a plan fewer than two. Both axes of a plan have the
+/// same.
+[[nodiscard]] double tick_step(const geometry::MapSheet& sheet, const MapPage& page, std::size_t axis);
 
 /// A length of 1, 2 or 5 times a power of ten that is not longer than `most`.
 [[nodiscard]] double round_length(double most);

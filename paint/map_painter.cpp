@@ -67,6 +67,8 @@ class MapPainter {
         pen.setJoinStyle(Qt::RoundJoin);
         if (look.dash == geometry::SheetDash::Dashed) pen.setDashPattern({5.0, 3.0});
         if (look.dash == geometry::SheetDash::Dotted) pen.setDashPattern({1.2, 2.2});
+        // Square ends would eat half of a gap.
+        if (look.dash == geometry::SheetDash::Dashed) pen.setCapStyle(Qt::FlatCap);
         painter_.setPen(look.width > 0.0 ? pen : QPen(Qt::NoPen));
         QColor fill = QColor::fromRgb(look.fill);
         fill.setAlphaF(static_cast<float>(look.opacity));
@@ -104,11 +106,9 @@ class MapPainter {
         painter_.drawPolyline(polygon);
     }
 
-    [[nodiscard]] double grid_step() const { return round_length(2.5 * 72.0 / page_.points_per_metre * 1.01); }
-
     template<class Visit>
     void for_steps(std::size_t axis, const Visit& visit) const {
-        const double step = grid_step();
+        const double step = tick_step(sheet_, page_, axis);
         const auto first = static_cast<std::int64_t>(std::ceil(sheet_.extent.low[axis] / step - 1e-9));
         for (std::int64_t i = first; static_cast<double>(i) * step <= sheet_.extent.high[axis] + 1e-9; ++i)
             visit(static_cast<double>(i) * step);
@@ -134,21 +134,29 @@ class MapPainter {
         painter_.setBrush(Qt::NoBrush);
         painter_.setPen(QPen(QColor::fromRgb(kLineInk), 0.8));
         painter_.drawRect(page_.frame);
-        const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(grid_step()) + 1e-9)));
+        const auto number = [this](std::size_t axis, double value) {
+            const double step = tick_step(sheet_, page_, axis);
+            const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+            return fmt::format("{:.{}f}", value + 0.0, digits);
+        };
         for_steps(0, [&](double x) {
             const double px = at(x, 0.0).x();
             painter_.setPen(QPen(QColor::fromRgb(kLineInk), 0.6));
             painter_.drawLine(QPointF(px, page_.frame.bottom()), QPointF(px, page_.frame.bottom() + 3.0));
-            words(fmt::format("{:.{}f}", x + 0.0, digits), {px, page_.frame.bottom() + 10.5}, 7.0, TextAnchor::Middle);
+            words(number(0, x), {px, page_.frame.bottom() + 10.5}, 7.0, TextAnchor::Middle);
         });
         for_steps(1, [&](double y) {
             const double py = at(0.0, y).y();
             painter_.setPen(QPen(QColor::fromRgb(kLineInk), 0.6));
             painter_.drawLine(QPointF(page_.frame.left() - 3.0, py), QPointF(page_.frame.left(), py));
+            if (sheet_.is_section) { // upright, so that heights of a low section have room
+                words(number(1, y), {page_.frame.left() - 5.0, py + 2.5}, 7.0, TextAnchor::End);
+                return;
+            }
             painter_.save();
             painter_.translate(page_.frame.left() - 5.0, py);
             painter_.rotate(-90.0);
-            words(fmt::format("{:.{}f}", y + 0.0, digits), {0.0, 0.0}, 7.0, TextAnchor::Middle);
+            words(number(1, y), {0.0, 0.0}, 7.0, TextAnchor::Middle);
             painter_.restore();
         });
     }

@@ -77,6 +77,43 @@ TEST_CASE("Lengths of scale bars are round") {
     CHECK(round_length(10.0) == 10.0);
 }
 
+TEST_CASE("A section has at least three heights beside it, however low it is") {
+    ensure_qt_runtime();
+    for (const double high : {0.25, 0.4, 0.9, 1.3, 4.0}) {
+        for (const double scale : {5.0, 10.0, 20.0}) {
+            geometry::MapSheet section = trench();
+            section.is_section = true;
+            section.extent = {{0.0, 49.33}, {4.0, 49.33 + high}};
+            const MapPage page = lay_out_map(section, scale);
+            if (page.frame.height() < 40.0) continue; // no room for three numbers
+            const double step = tick_step(section, page, 1);
+            INFO(high << " m at 1:" << scale << ": a tick every " << step << " m");
+            CHECK(std::floor(section.extent.high[1] / step) - std::ceil(section.extent.low[1] / step) >= 2.0);
+            CHECK(step * page.points_per_metre >= 10.0);
+        }
+    }
+}
+
+TEST_CASE("The ticks of a plan stand equally far apart both ways, two at least") {
+    ensure_qt_runtime();
+    geometry::MapSheet plan = trench();
+    plan.extent = {{100.6, 201.6}, {104.1, 202.7}};
+    const MapPage page = lay_out_map(plan, 20.0);
+    CHECK(tick_step(plan, page, 0) == 0.5);
+    CHECK(tick_step(plan, page, 1) == 0.5);
+}
+
+TEST_CASE("A dashed line in the key has room for two dashes") {
+    ensure_qt_runtime();
+    geometry::MapSheet sheet = trench();
+    sheet.keys[0].look.width = 0.8;
+    const double solid = lay_out_map(sheet, 20.0).keys[0].swatch.width();
+    sheet.keys[0].look.dash = geometry::SheetDash::Dashed;
+    const QRectF dashed = lay_out_map(sheet, 20.0).keys[0].swatch;
+    CHECK(dashed.width() > solid);
+    CHECK(dashed.width() >= (5.0 + 3.0 + 5.0) * 0.8 * kPointsPerMillimetre - 1e-9);
+}
+
 TEST_CASE("Sheets of a group lie below one another under their heading, each at its own scale") {
     geometry::SheetGroup group;
     group.title = "1 or 2: which lay above?";
