@@ -68,6 +68,7 @@ GroupPage lay_out(const geometry::SheetGroup& group) {
     for (const geometry::ScaledSheet& sheet : group.sheets) {
         page.sheets.push_back({&sheet, lay_out_map(sheet.sheet, sheet.scale, page.width), top});
         page.sheets.back().page.title_size = kPartSize;
+        page.sheets.back().page.frame.moveLeft(kSide); // below its title, where another sheet is wider
         top += page.sheets.back().page.height - kMapMargin;
     }
     page.height = top + kMapMargin / 2.0;

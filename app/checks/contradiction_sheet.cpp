@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <optional>
-#include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "app/checks/contradicting_faces.hpp"
+#include "app/checks/contradiction_cut.hpp"
 #include "app/checks/contradiction_looks.hpp"
 #include "app/checks/daily_check.hpp"
 #include "app/checks/section_contradiction.hpp"
@@ -35,33 +34,16 @@ constexpr SheetLook kUpperLine{kUpperColour, 0.8, SheetDash::Solid, kUpperColour
 constexpr SheetLook kLowerLine{kLowerColour, 0.8, SheetDash::Dashed, kLowerColour, 0.0};
 constexpr SheetLook kClashArea{kClashColour, 0.0, SheetDash::Solid, kClashColour, 0.30};
 
+constexpr double kLetterBeyond = 0.0035;                   // of the ends of the line of the section [m on paper]
+constexpr double kBothMaps = 0.154;                        // height of both maps on a page of A4 [m on paper]
+constexpr std::array<double, 2> kLeastPlan = {0.09, 0.04}; // [m on paper]
+
 geometry::MultiPolygon box(const geometry::Extent& e) {
     return {{{{e.low[0], e.low[1], 0.0},
               {e.high[0], e.low[1], 0.0},
               {e.high[0], e.high[1], 0.0},
               {e.low[0], e.high[1], 0.0}}}};
 }
-
-// What a cross-section meets, cell by cell.
-struct Sample {
-    double along = 0.0; // [m]
-    float before = 0.0F;
-    float after = 0.0F;
-    scans::UnitNumber first = scans::kNobody;
-    scans::UnitNumber then = scans::kNobody;
-    bool clash = false;
-};
-
-// From A, `length` long, in the direction given.
-struct Cut {
-    std::array<double, 2> from{}; // [m, site]
-    std::array<double, 2> way{};  // unit vector
-    double length = 0.0;
-
-    [[nodiscard]] std::array<double, 2> at(double along) const {
-        return {from[0] + along * way[0], from[1] + along * way[1]};
-    }
-};
 
 class SheetMaker {
   public:
@@ -73,20 +55,26 @@ class SheetMaker {
         made_.lower = project_.index().name(faces_.units[static_cast<std::size_t>(faces_.lower)].id);
         made_.before = surface_name(record_, *faces_.surface_before);
         made_.after = surface_name(record_, *faces_.surface_after);
+        // As the text says it: the step weighs cells at the limit of what can be told in its own way.
         made_.area = static_cast<double>(faces_.clash.size()) * frame_.cell * frame_.cell;
+        if (const auto told = problem.evidence.find("area_m2"); told != problem.evidence.end()) {
+            if (const auto* area = std::get_if<double>(&told->second)) made_.area = *area;
+        }
         const std::size_t worst = faces_.worst;
         made_.x = frame_.x(static_cast<std::int32_t>(worst % static_cast<std::size_t>(frame_.columns)));
         made_.y = frame_.y(static_cast<std::int32_t>(worst / static_cast<std::size_t>(frame_.columns)));
         made_.z_upper = static_cast<double>(faces_.before.height[worst]);
         made_.z_lower = static_cast<double>(faces_.after.height[worst]);
-        choose_cut();
+        cut_ = choose_cut(faces_, place(), made_.z_upper - made_.z_lower);
         std::string text = problem.message;
         if (!text.empty() && text.back() != '.') text += '.';
         made_.group.title = fmt::format("{} or {}: which lay above?", made_.upper, made_.lower);
         made_.group.text = std::move(text);
         made_.group.site = record_.settings.name;
-        made_.group.sheets.push_back(plan());
-        made_.group.sheets.push_back(section());
+        geometry::ScaledSheet below = section();
+        const double height = (below.sheet.extent.high[1] - below.sheet.extent.low[1]) / below.scale;
+        made_.group.sheets.push_back(plan(std::max(kContradictionHeight, kBothMaps - height)));
+        made_.group.sheets.push_back(std::move(below));
         return std::move(made_);
     }
 
@@ -95,85 +83,57 @@ class SheetMaker {
 
     [[nodiscard]] std::string day_after() const { return day_words(last_day_of(*faces_.surface_after)); }
 
-    [[nodiscard]] std::optional<std::size_t> cell_at(const std::array<double, 2>& p) const {
-        const double column = std::floor(p[0] / frame_.cell) - static_cast<double>(frame_.west);
-        const double row = std::floor(p[1] / frame_.cell) - static_cast<double>(frame_.south);
-        if (!(column >= 0.0 && row >= 0.0 && column < frame_.columns && row < frame_.rows)) return std::nullopt;
-        return frame_.at(static_cast<std::int32_t>(row), static_cast<std::int32_t>(column));
-    }
-
-    [[nodiscard]] std::vector<Sample> samples(const Cut& cut) const {
-        std::vector<Sample> all;
-        for (double along = 0.5 * frame_.cell; along < cut.length; along += frame_.cell) {
-            Sample s;
-            s.along = along;
-            s.before = s.after = std::nanf("");
-            if (const auto cell = cell_at(cut.at(along))) {
-                s.before = faces_.before.height[*cell];
-                s.after = faces_.after.height[*cell];
-                s.first = faces_.before.unit[*cell];
-                s.then = faces_.after.unit[*cell];
-                s.clash = std::binary_search(faces_.clash.begin(), faces_.clash.end(), *cell);
-            }
-            all.push_back(s);
-        }
-        return all;
-    }
-
-    // Through the worst place, in the direction in which both faces are met most; as large as it can be with both
-    // lines apart on paper.
-    void choose_cut() {
-        constexpr double kApart = 0.008; // [m on paper]
-        constexpr int kDirections = 16;
-        const double thickness = made_.z_upper - made_.z_lower;
-        scale_ = kContradictionScales.front();
-        for (const double scale : kContradictionScales) {
-            if (scale <= 20.0 && thickness / scale >= kApart) scale_ = scale;
-        }
-        double best = -1.0;
-        for (int i = 0; i < kDirections; ++i) {
-            const double angle = std::numbers::pi * i / kDirections;
-            Cut cut;
-            cut.way = {std::cos(angle), std::sin(angle)};
-            if (cut.way[0] < -1e-9) cut.way = {-cut.way[0], -cut.way[1]}; // west or south on the left
-            cut.length = kContradictionWidth * scale_;
-            for (std::size_t k = 0; k < 2; ++k) cut.from[k] = place()[k] - 0.5 * cut.length * cut.way[k];
-            double score = 0.0;
-            for (const Sample& s : samples(cut)) {
-                if (s.clash) score += 1.0;
-                if (s.first == faces_.upper || s.then == faces_.lower) score += 0.5;
-                if (s.first == faces_.lower || s.then == faces_.upper) score += 0.25;
-            }
-            if (score <= best + 1e-9) continue;
-            best = score;
-            cut_ = cut;
-        }
-    }
-
     [[nodiscard]] std::array<double, 2> place() const { return {made_.x, made_.y}; }
 
-    [[nodiscard]] geometry::ScaledSheet plan() const {
-        geometry::ScaledSheet made;
-        geometry::MapSheet& sheet = made.sheet;
-        geometry::Extent seen = geometry::extent(box(faces_.extent));
-        for (const double along : {0.0, cut_.length}) seen.add(cut_.at(along)[0], cut_.at(along)[1]);
-        const double wide = 1.12 * (seen.high[0] - seen.low[0]);
-        const double high = 1.12 * (seen.high[1] - seen.low[1]);
-        made.scale = kContradictionScales.back();
-        for (const double scale : kContradictionScales) {
-            if (wide > kContradictionWidth * scale || high > kContradictionHeight * scale) continue;
-            made.scale = scale;
-            break;
+    // That, the section line and its letters with some room around.
+    [[nodiscard]] geometry::Extent plan_extent(geometry::Extent seen, double scale) const {
+        constexpr double kAround = 0.003; // [m on paper]
+        constexpr double kLetter = 0.002; // half of one
+        for (std::size_t k = 0; k < 2; ++k) {
+            seen.low[k] -= kAround * scale;
+            seen.high[k] += kAround * scale;
         }
-        const std::array half = {0.5 * kContradictionWidth * made.scale,
-                                 0.5 * std::max(high, 0.6 * kContradictionHeight * made.scale)};
+        for (const double along : {-kLetterBeyond * scale, cut_.length + kLetterBeyond * scale}) {
+            for (const double room : {-kLetter * scale, kLetter * scale})
+                seen.add(cut_.at(along)[0] + room, cut_.at(along)[1] + room);
+        }
+        geometry::Extent extent;
         for (std::size_t k = 0; k < 2; ++k) {
             const double middle = 0.5 * (seen.low[k] + seen.high[k]);
-            sheet.extent.low[k] = middle - half[k];
-            sheet.extent.high[k] = middle + half[k];
+            const double half = 0.5 * std::max(seen.high[k] - seen.low[k], kLeastPlan[k] * scale);
+            extent.low[k] = middle - half;
+            extent.high[k] = middle + half;
         }
-        sheet.title = "Both faces in plan";
-        sheet.subtitle = fmt::format("ground of {} as relief", day_after());
+        return extent;
+    }
+
+    // What the plan shows: both faces whole. Where they are so large that the contradiction would be a dot among them,
+    // its surroundings only.
+    void set_plan_extent(geometry::ScaledSheet& made, double height) const {
+        constexpr double kLeastCut = 0.012; // [m on paper]
+        const auto set = [&](const geometry::MultiPolygon& shown) {
+            for (const double scale : kContradictionScales) {
+                made.scale = scale;
+                made.sheet.extent = plan_extent(geometry::extent(shown), scale);
+                const auto& [low, high] = made.sheet.extent;
+                if (high[0] - low[0] <= kContradictionWidth * scale && high[1] - low[1] <= height * scale) break;
+            }
+        };
+        geometry::MultiPolygon both = faces_.face_before;
+        both.insert(both.end(), faces_.face_after.begin(), faces_.face_after.end());
+        set(both);
+        made.sheet.title = "Both faces in plan";
+        made.sheet.subtitle = fmt::format("ground of {} as relief", day_after());
+        if (cut_.length >= kLeastCut * made.scale) return;
+        set(box(faces_.extent));
+        made.sheet.title = "Where they contradict, in plan";
+        made.sheet.subtitle += "; the faces go on beyond the frame";
+    }
+
+    [[nodiscard]] geometry::ScaledSheet plan(double height) const {
+        geometry::ScaledSheet made;
+        geometry::MapSheet& sheet = made.sheet;
+        set_plan_extent(made, height);
         sheet.pictures.push_back(shaded_relief(faces_.ground_after));
         sheet.pictures.push_back(clash_picture());
         const auto add_face = [&](const geometry::MultiPolygon& face, const SheetLook& look, const std::string& unit,
@@ -207,7 +167,7 @@ class SheetMaker {
     }
 
     void add_section_line(geometry::ScaledSheet& plan) const {
-        const double letter = 0.0035 * plan.scale;
+        const double letter = kLetterBeyond * plan.scale;
         const auto a = cut_.at(0.0);
         const auto b = cut_.at(cut_.length);
         plan.sheet.lines.push_back({{{a[0], a[1], 0.0}, {b[0], b[1], 0.0}}, kMeasureLine});
@@ -244,9 +204,9 @@ class SheetMaker {
 
     [[nodiscard]] geometry::ScaledSheet section() const {
         geometry::ScaledSheet made;
-        made.scale = scale_;
+        made.scale = cut_.scale;
         geometry::MapSheet& sheet = made.sheet;
-        const std::vector<Sample> along = samples(cut_);
+        const std::vector<FaceSample> along = samples_along(faces_, cut_);
         sheet.is_section = true;
         sheet.title = "Cross-section A–B through the worst place";
         sheet.subtitle =
@@ -254,68 +214,89 @@ class SheetMaker {
                         cut_.at(0.0)[0], cut_.at(0.0)[1], cut_.at(cut_.length)[0], cut_.at(cut_.length)[1]);
         set_heights(along, sheet.extent);
         add_clash(along, sheet);
-        add_profile(along, &Sample::before, {kUpperGround, kUpperLine}, faces_.upper, &Sample::first, sheet);
-        add_profile(along, &Sample::after, {kLowerGround, kLowerLine}, faces_.lower, &Sample::then, sheet);
+        const bool other_before = add_profile(
+            along, {&FaceSample::before, &FaceSample::first, faces_.upper, kUpperLine, kUpperGround}, sheet);
+        const bool other_after =
+            add_profile(along, {&FaceSample::after, &FaceSample::then, faces_.lower, kLowerLine, kLowerGround}, sheet);
         add_measure(sheet);
         add_numbers(along, sheet);
-        sheet.keys = {{fmt::format("{} on {}", made_.upper, day_before()), kUpperLine, geometry::SheetSign::None},
-                      {"other ground then", kUpperGround, geometry::SheetSign::None},
-                      {fmt::format("{} on {}", made_.lower, day_after()), kLowerLine, geometry::SheetSign::None},
-                      {"other ground then", kLowerGround, geometry::SheetSign::None},
-                      {fmt::format("{} above {}", made_.upper, made_.lower), kClashArea, geometry::SheetSign::None}};
+        const auto add_key = [&](std::string text, const SheetLook& look) {
+            sheet.keys.push_back({std::move(text), look, geometry::SheetSign::None});
+        };
+        add_key(fmt::format("{} on {}", made_.upper, day_before()), kUpperLine);
+        if (other_before) add_key("other ground then", kUpperGround);
+        add_key(fmt::format("{} on {}", made_.lower, day_after()), kLowerLine);
+        if (other_after) add_key("other ground then", kLowerGround);
+        add_key(fmt::format("{} above {}", made_.upper, made_.lower), kClashArea);
         return made;
     }
 
     // Both lines with room for words; a deep pit beside them is cut off.
-    void set_heights(const std::vector<Sample>& along, geometry::Extent& extent) const {
-        constexpr double kRoom = 0.012; // above and below, on paper [m]
-        constexpr double kMost = 0.035; // above and below the middle
+    void set_heights(const std::vector<FaceSample>& along, geometry::Extent& extent) const {
+        constexpr double kRoom = 0.010; // above and below, on paper [m]
+        constexpr double kMost = 0.022; // above and below the middle
         const double middle = 0.5 * (made_.z_upper + made_.z_lower);
         double low = made_.z_lower;
         double high = made_.z_upper;
-        for (const Sample& s : along) {
+        for (const FaceSample& s : along) {
             for (const float z : {s.before, s.after}) {
                 if (std::isnan(z)) continue;
                 low = std::min(low, static_cast<double>(z));
                 high = std::max(high, static_cast<double>(z));
             }
         }
-        low = std::max(low, std::min(middle - kMost * scale_, made_.z_lower));
-        high = std::min(high, std::max(middle + kMost * scale_, made_.z_upper));
-        extent.low = {0.0, low - kRoom * scale_};
-        extent.high = {cut_.length, high + kRoom * scale_};
+        low = std::max(low, std::min(middle - kMost * cut_.scale, made_.z_lower));
+        high = std::min(high, std::max(middle + kMost * cut_.scale, made_.z_upper));
+        extent.low = {0.0, low - kRoom * cut_.scale};
+        extent.high = {cut_.length, high + kRoom * cut_.scale};
     }
 
-    struct ProfileLook {
-        SheetLook thin;
-        SheetLook thick;
+    struct Profile {
+        float FaceSample::*height;
+        scans::UnitNumber FaceSample::*unit;
+        scans::UnitNumber own = scans::kNobody;
+        SheetLook own_look;
+        SheetLook other_look;
     };
 
-    // The whole line thin, the unit's own part thick over it. Gaps of a cell or two are drawn through.
-    void add_profile(const std::vector<Sample>& along, float Sample::*height, const ProfileLook& look,
-                     scans::UnitNumber own, scans::UnitNumber Sample::*unit, geometry::MapSheet& sheet) const {
+    // Thick along the unit's own part, thin along the rest. Gaps of a cell or two are drawn through. Returns whether
+    // there is such a rest.
+    static bool add_profile(const std::vector<FaceSample>& along, const Profile& profile, geometry::MapSheet& sheet) {
         constexpr std::size_t kGap = 3;      // cells
         constexpr double kNoMatter = 0.0005; // too little to be seen on paper [m]
-        for (const bool thick : {false, true}) {
-            geometry::Line3 line;
-            std::size_t last = 0;
-            const auto finish = [&] {
-                if (line.size() > 1)
-                    sheet.lines.push_back({geometry::simplified(line, kNoMatter), thick ? look.thick : look.thin});
-                line.clear();
-            };
-            for (std::size_t i = 0; i < along.size(); ++i) {
-                const Sample& s = along[i];
-                if (std::isnan(s.*height) || (thick && s.*unit != own)) continue;
-                if (!line.empty() && i - last > kGap) finish();
-                line.push_back({s.along, static_cast<double>(s.*height), 0.0});
-                last = i;
+        bool any_rest = false;
+        geometry::Line3 line;
+        bool is_own = false;
+        std::size_t last = 0;
+        const auto finish = [&] {
+            if (line.size() > 1) {
+                any_rest = any_rest || !is_own;
+                sheet.lines.push_back(
+                    {geometry::simplified(line, kNoMatter), is_own ? profile.own_look : profile.other_look});
             }
-            finish();
+            line.clear();
+        };
+        for (std::size_t i = 0; i < along.size(); ++i) {
+            const FaceSample& s = along[i];
+            if (std::isnan(s.*profile.height)) continue;
+            const geometry::Point3 here = {s.along, static_cast<double>(s.*profile.height), 0.0};
+            const bool own = s.*profile.unit == profile.own;
+            if (!line.empty() && i - last > kGap) finish();
+            if (!line.empty() && own != is_own) { // both meet where one passes into the other
+                const geometry::Point3 before = line.back();
+                if (!is_own) line.push_back(here);
+                finish();
+                if (!own) line.push_back(before);
+            }
+            is_own = own;
+            line.push_back(here);
+            last = i;
         }
+        finish();
+        return any_rest;
     }
 
-    void add_clash(const std::vector<Sample>& along, geometry::MapSheet& sheet) const {
+    void add_clash(const std::vector<FaceSample>& along, geometry::MapSheet& sheet) const {
         for (std::size_t i = 0; i < along.size();) {
             if (!along[i].clash) {
                 ++i;
@@ -334,14 +315,15 @@ class SheetMaker {
 
     // A dimension line at the worst place, with both heights.
     void add_measure(geometry::MapSheet& sheet) const {
-        const double x = 0.5 * cut_.length;
+        const double x = cut_.worst;
         const int digits =
             made_.z_upper - made_.z_lower < 0.1 ? 3 : 2; // so that the heights agree with what is between
-        const double tick = 0.0012 * scale_;
+        const double tick = 0.0012 * cut_.scale;
         sheet.lines.push_back({{{x, made_.z_lower, 0.0}, {x, made_.z_upper, 0.0}}, kMeasureLine});
         for (const double z : {made_.z_lower, made_.z_upper})
             sheet.lines.push_back({{{x - tick, z, 0.0}, {x + tick, z, 0.0}}, kMeasureLine});
-        sheet.labels.push_back({x + 0.009 * scale_,
+        const double beside = cut_.length - x < 0.02 * cut_.scale ? -0.009 : 0.009; // left of it at the right end
+        sheet.labels.push_back({x + beside * cut_.scale,
                                 0.5 * (made_.z_lower + made_.z_upper),
                                 fmt::format("{:.{}f} m", made_.z_upper - made_.z_lower, digits),
                                 {}});
@@ -351,23 +333,23 @@ class SheetMaker {
     }
 
     // Every unit that a line meets over 12 mm on paper: those before above the lines, those after below.
-    void add_numbers(const std::vector<Sample>& along, geometry::MapSheet& sheet) const {
-        add_numbers(along, &Sample::before, &Sample::first, 0.0045 * scale_, sheet);
-        add_numbers(along, &Sample::after, &Sample::then, -0.0045 * scale_, sheet);
+    void add_numbers(const std::vector<FaceSample>& along, geometry::MapSheet& sheet) const {
+        add_numbers(along, &FaceSample::before, &FaceSample::first, 0.0045 * cut_.scale, sheet);
+        add_numbers(along, &FaceSample::after, &FaceSample::then, -0.0045 * cut_.scale, sheet);
     }
 
-    void add_numbers(const std::vector<Sample>& along, float Sample::*height, scans::UnitNumber Sample::*unit,
-                     double off, geometry::MapSheet& sheet) const {
+    void add_numbers(const std::vector<FaceSample>& along, float FaceSample::*height,
+                     scans::UnitNumber FaceSample::*unit, double off, geometry::MapSheet& sheet) const {
         constexpr double kLeast = 0.012; // [m on paper]
         for (std::size_t i = 0; i < along.size();) {
             std::size_t end = i;
             while (end < along.size() && along[end].*unit == along[i].*unit) ++end;
             const double length = static_cast<double>(end - i) * frame_.cell;
-            const Sample& middle = along[i + (end - i) * 2 / 5]; // beside the dimension line
+            const FaceSample& middle = along[i + (end - i) * 2 / 5]; // beside the dimension line
             const scans::UnitNumber number = along[i].*unit;
             const double z = static_cast<double>(middle.*height) + off;
-            if (number != scans::kNobody && length >= kLeast * scale_ && !std::isnan(z) && z < sheet.extent.high[1] &&
-                z > sheet.extent.low[1])
+            if (number != scans::kNobody && length >= kLeast * cut_.scale && !std::isnan(z) &&
+                z < sheet.extent.high[1] && z > sheet.extent.low[1])
                 sheet.labels.push_back(
                     {middle.along, z, project_.index().name(faces_.units[static_cast<std::size_t>(number)].id), {}});
             i = end;
@@ -379,8 +361,7 @@ class SheetMaker {
     const ContradictingFaces& faces_;
     const scans::GridFrame& frame_;
     ContradictionSheet made_;
-    Cut cut_;
-    double scale_ = 10.0; // of the section
+    FaceCut cut_;
 };
 
 const model::Diagnostic& problem_with(const DailyCheck& check, std::string_view id) {

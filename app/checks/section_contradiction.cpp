@@ -121,12 +121,7 @@ class SectionMaker {
         const double wide = 1.1 * (pair.high[0] - pair.low[0]);
         const double high = 1.1 * (pair.high[1] - pair.low[1]);
         geometry::ScaledSheet sheet;
-        sheet.scale = kContradictionScales.back();
-        for (const double scale : kContradictionScales) {
-            if (wide > kContradictionWidth * scale || high > kContradictionHeight * scale) continue;
-            sheet.scale = scale;
-            break;
-        }
+        sheet.scale = contradiction_scale({wide, high}, {kContradictionWidth, kContradictionHeight});
         const std::array<double, 2> middle = {0.5 * (pair.low[0] + pair.high[0]), 0.5 * (pair.low[1] + pair.high[1])};
         set_extent(sheet, middle, std::max(high, 0.5 * kContradictionHeight * sheet.scale));
         sheet.sheet.title = fmt::format("Section {} with both outlines", section_.name);
