@@ -46,9 +46,10 @@ double parse_scale(std::string_view text) {
     return *value;
 }
 
-void write_sheet(const Context& context, const geometry::MapSheet& sheet, const Options& options) {
+// Returns the scale, 1 : what it says.
+double write_sheet(const Context& context, const geometry::MapSheet& sheet, const Options& options) {
     paint::MapSheetOptions how;
-    how.scale = parse_scale(options.scale);
+    how.scale = options.scale.empty() ? paint::section_scale(sheet) : parse_scale(options.scale);
     how.dpi = options.dpi;
     const std::filesystem::path file(options.file);
     const std::string ending = text::fold_case(file.extension().string());
@@ -59,17 +60,18 @@ void write_sheet(const Context& context, const geometry::MapSheet& sheet, const 
     } else {
         throw Error(ErrorCode::Usage, fmt::format("{}: plans and sections are written as .png or .pdf", options.file));
     }
+    return how.scale;
 }
 
 void run_plan(const Context& context, const Options& options) {
     app::Project project = context.open(store::OpenMode::ReadOnly);
     const app::PlanSheet made = app::plan_sheet(project, options.plan, *context.progress);
-    write_sheet(context, made.sheet, options);
+    const double scale = write_sheet(context, made.sheet, options);
     const geometry::Extent& extent = made.sheet.extent;
     if (context.json) {
         return context.print({{"file", options.file},
                               {"surface", made.surface.empty() ? ordered_json(nullptr) : ordered_json(made.surface)},
-                              {"scale", parse_scale(options.scale)},
+                              {"scale", scale},
                               {"west", extent.low[0]},
                               {"south", extent.low[1]},
                               {"east", extent.high[0]},
@@ -101,12 +103,13 @@ void run_section(const Context& context, Options& options) {
     options.section.to = parse_place(options.to);
     options.section.surface = options.plan.surface;
     options.section.cell = options.plan.cell;
+    options.section.surfaces_apart = true;
     const app::SectionSheet made = app::section_sheet(project, options.section, *context.progress);
-    write_sheet(context, made.sheet, options);
+    const double scale = write_sheet(context, made.sheet, options);
     const geometry::Extent& extent = made.sheet.extent;
     if (context.json) {
         return context.print({{"file", options.file},
-                              {"scale", parse_scale(options.scale)},
+                              {"scale", scale},
                               {"length_m", extent.high[0]},
                               {"z_min", extent.low[1]},
                               {"z_max", extent.high[1]},
@@ -114,13 +117,13 @@ void run_section(const Context& context, Options& options) {
                               {"units", made.units}});
     }
     *context.out << fmt::format("{}: {:.1f} m long, {:.1f} to {:.1f} m high, at 1:{:g}, {} points, {} outlines\n",
-                                options.file, extent.high[0], extent.low[1], extent.high[1], parse_scale(options.scale),
-                                made.points, made.sheet.shapes.size());
+                                options.file, extent.high[0], extent.low[1], extent.high[1], scale, made.points,
+                                made.sheet.shapes.size());
 }
 
-void add_paper(CLI::App& command, Options& options) {
+void add_paper(CLI::App& command, Options& options, const std::string& scale_words) {
     command.add_option("-o,--output", options.file, "F.png or F.pdf")->required();
-    command.add_option("--scale", options.scale, "1:20, 1:50, …")->capture_default_str();
+    command.add_option("--scale", options.scale, scale_words);
     command.add_option("--dpi", options.dpi, "of a PNG")->check(CLI::Range(20.0, 1200.0))->capture_default_str();
     command.add_option("--cell", options.plan.cell, "of the picture under the outlines, in metres")
         ->check(CLI::Range(0.002, 10.0))
@@ -136,17 +139,19 @@ void add_plan_commands(CLI::App& root, Context& context) {
     plan->add_option("--surface", options->plan.surface, "name, DAY or AREA::NAME (default: the last one)");
     plan->add_option("--over", options->plan.over, "a unit: its outlines on successive surfaces, one over the other");
     plan->add_flag("--colour", options->plan.colour, "scan colour (or reflectance) in place of the shaded relief");
-    add_paper(*plan, *options);
+    add_paper(*plan, *options, "1:20, 1:50, … (default: 1:20)");
     plan->callback([&context, options] { run_plan(context, *options); });
     auto given = std::make_shared<Options>();
     CLI::App* section = add_command(root, context, "section", "draw what scans and outlines show in a vertical plane");
     section->add_option("--from", given->from, "left end: X,Y in site coordinates")->required();
     section->add_option("--to", given->to, "right end")->required();
-    section->add_option("--surface", given->plan.surface, "only its scans (default: all scans)");
+    section->add_option("--surface", given->plan.surface,
+                        "only its scans, as one picture (default: all scans, each surface in a tone)");
     section->add_option("--depth", given->section.depth, "points so far from the plane are shown, in metres")
         ->check(CLI::Range(0.005, 5.0))
         ->capture_default_str();
-    add_paper(*section, *given);
+    given->scale.clear();
+    add_paper(*section, *given, "1:20, 1:50, … (default: the largest of 1:5, 1:10 and 1:20 that fits A4)");
     section->callback([&context, given] { run_section(context, *given); });
 }
 

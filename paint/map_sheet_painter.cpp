@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -37,6 +38,7 @@ std::string render_map_png(const MapSheet& sheet, const MapSheetOptions& options
 
 std::string render_map_pdf(const MapSheet& sheet, const MapSheetOptions& options, Progress& progress) {
     constexpr double kMostPoints = 14400.0; // of a PDF page
+    constexpr double kStrip = 2.0 / 3.0;    // of the height of the paper
     ensure_qt_runtime();
     progress.step("writing the PDF");
     const MapPage fitted = lay_out_map(sheet, options.scale);
@@ -46,9 +48,20 @@ std::string render_map_pdf(const MapSheet& sheet, const MapSheetOptions& options
                     fmt::format("a page of {:.1f} × {:.1f} m is too large; 1:{:.0f} fits", fitted.width / 72.0 * 0.0254,
                                 fitted.height / 72.0 * 0.0254, std::ceil(1.1 * options.scale * over)));
     }
-    const PaperChoice paper = choose_paper(fitted.width, fitted.height);
+    PaperChoice paper = choose_paper(fitted.width, fitted.height);
+    if (sheet.is_section && fitted.height < kStrip * paper.height) paper = cut_paper(fitted.width, fitted.height);
     const MapPage page = lay_out_map(sheet, options.scale, paper.width, paper.height);
     return pdf_page(paper, sheet.title, [&](QPainter& painter) { paint_map(painter, sheet, page, options.scale); });
+}
+
+double section_scale(const MapSheet& sheet) {
+    ensure_qt_runtime();
+    constexpr std::array kScales = {5.0, 10.0, 20.0};
+    for (const double scale : kScales) {
+        const MapPage page = lay_out_map(sheet, scale);
+        if (choose_paper(page.width, page.height).size.id() == QPageSize::A4) return scale;
+    }
+    return kScales.back();
 }
 
 } // namespace planum::paint

@@ -19,8 +19,12 @@ struct MapSheetOptions {
 [[nodiscard]] std::string render_map_png(const geometry::MapSheet& sheet, const MapSheetOptions& options);
 
 /// The same as PDF on the smallest paper from A4 to A0 that holds it, upright or across, else on a page of its own
-/// size; lines and words are vectors. The same sheet gives the same bytes. Throws as render_map_png().
+/// size; so is a section that would be a mere strip on its paper. Lines and words are vectors. The same sheet gives the
+/// same bytes. Throws as render_map_png().
 [[nodiscard]] std::string render_map_pdf(const geometry::MapSheet& sheet, const MapSheetOptions& options,
                                          Progress& progress);
+
+/// The largest scale from 1:5 to 1:20, the one sections are drawn at, at which the sheet fits A4; 1:20 where none does.
+[[nodiscard]] double section_scale(const geometry::MapSheet& sheet);
 
 } // namespace planum::paint

@@ -26,6 +26,10 @@ PaperChoice choose_paper(double width, double height) {
                     size.height()};
         }
     }
+    return cut_paper(width, height);
+}
+
+PaperChoice cut_paper(double width, double height) {
     return {QPageSize(QSizeF(width, height), QPageSize::Point), QPageLayout::Portrait, width, height};
 }
 

@@ -21,6 +21,9 @@ struct PaperChoice {
 /// The smallest paper from A4 to A0 that holds a page of that size [pt], upright or across; else a page of that size.
 [[nodiscard]] PaperChoice choose_paper(double width, double height);
 
+/// A page of just that size [pt].
+[[nodiscard]] PaperChoice cut_paper(double width, double height);
+
 /// What `paint` draws, in points, as PNG of that size [pt]. Throws Io when there is no memory for it.
 [[nodiscard]] std::string png_page(double width, double height, double dpi,
                                    const std::function<void(QPainter&)>& paint);

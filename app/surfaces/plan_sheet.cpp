@@ -71,21 +71,6 @@ std::optional<double> height_at(const scans::SurfaceGrid& grid, double x, double
     return static_cast<double>(grid.height[cell]);
 }
 
-// Early light, late dark: blue-green to deep violet, distinct in grey too.
-geometry::SheetColour colour_in_time(std::size_t place, std::size_t count) {
-    constexpr std::array<std::array<double, 3>, 4> kSteps = {
-        {{236, 160, 40}, {214, 80, 60}, {140, 40, 120}, {40, 30, 110}}};
-    const double at = count > 1 ? 3.0 * static_cast<double>(place) / static_cast<double>(count - 1) : 3.0;
-    const auto from = static_cast<std::size_t>(std::min(2.0, std::floor(at)));
-    geometry::SheetColour colour = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double value =
-            kSteps[from][k] + (at - static_cast<double>(from)) * (kSteps[from + 1][k] - kSteps[from][k]);
-        colour = colour << 8U | static_cast<geometry::SheetColour>(std::lround(value));
-    }
-    return colour;
-}
-
 struct KindWords {
     UnitKind kind;
     UnitForm form;
@@ -377,6 +362,20 @@ SheetLook unit_look(UnitKind kind, UnitForm form) {
         return look;
     }
     return look;
+}
+
+geometry::SheetColour colour_in_time(std::size_t place, std::size_t count) {
+    constexpr std::array<std::array<double, 3>, 4> kSteps = {
+        {{236, 160, 40}, {214, 80, 60}, {140, 40, 120}, {40, 30, 110}}};
+    const double at = count > 1 ? 3.0 * static_cast<double>(place) / static_cast<double>(count - 1) : 3.0;
+    const auto from = static_cast<std::size_t>(std::min(2.0, std::floor(at)));
+    geometry::SheetColour colour = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double value =
+            kSteps[from][k] + (at - static_cast<double>(from)) * (kSteps[from + 1][k] - kSteps[from][k]);
+        colour = colour << 8U | static_cast<geometry::SheetColour>(std::lround(value));
+    }
+    return colour;
 }
 
 PlanSheet plan_sheet(Project& project, const PlanRequest& request, Progress& progress) {

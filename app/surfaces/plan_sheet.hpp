@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct PlanSheet {
 
 /// How a unit of that kind is drawn, the same on plans, sections and on the screen.
 [[nodiscard]] geometry::SheetLook unit_look(model::UnitKind kind, model::UnitForm form);
+
+/// The colour of the surface at `place` of `count` in time: early light, late dark, so that they differ in grey too.
+[[nodiscard]] geometry::SheetColour colour_in_time(std::size_t place, std::size_t count);
 
 /// A plan: the ground from the scans, outlines, unit numbers with the height of the ground below them where the unit
 /// has no level of its own, levels, finds of its days. Without registered scans there are outlines only. Throws

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,7 +35,26 @@ struct SeenPoint {
     scans::Rgb colour;
     std::uint16_t intensity = 0;
     bool has_colour = false;
+    std::size_t surface = 0; // place among those of the section
 };
+
+// A surface whose scans may lie in the plane; nullptr for scans of none.
+struct SeenSurface {
+    const model::Surface* surface = nullptr;
+    std::size_t points = 0;
+};
+
+// In time, so that later ones are painted over earlier ones.
+std::vector<SeenSurface> surfaces_of(const model::Record& record, const model::Surface* only) {
+    if (only != nullptr) return {{only}};
+    std::vector<SeenSurface> all;
+    for (const model::Surface& surface : record.surfaces) all.push_back({&surface});
+    std::stable_sort(all.begin(), all.end(), [](const SeenSurface& a, const SeenSurface& b) {
+        return std::tie(a.surface->first_day, a.surface->order) < std::tie(b.surface->first_day, b.surface->order);
+    });
+    all.insert(all.begin(), SeenSurface{});
+    return all;
+}
 
 RegionGround slab_of(const SectionRequest& request, double length) {
     const double ax = (request.to[0] - request.from[0]) / length;
@@ -47,8 +70,10 @@ RegionGround slab_of(const SectionRequest& request, double length) {
     return slab;
 }
 
-void paint(const std::vector<SeenPoint>& points, double cell, double low, double high, double length,
-           geometry::MapSheet& sheet) {
+void paint(const std::vector<SeenPoint>& points, double cell, geometry::MapSheet& sheet) {
+    const double low = sheet.extent.low[1];
+    const double high = sheet.extent.high[1];
+    const double length = sheet.extent.high[0];
     geometry::SheetPicture picture;
     picture.pixel = cell;
     picture.top = high;
@@ -80,6 +105,44 @@ void paint(const std::vector<SeenPoint>& points, double cell, double low, double
     sheet.pictures.push_back(std::move(picture));
 }
 
+// How the surface at `place` of `count` is drawn, as broad as cells are at 1:20.
+geometry::SheetLook tone_of(std::size_t place, std::size_t count) {
+    geometry::SheetLook look;
+    look.line = look.fill = colour_in_time(place, count);
+    look.width = 1.0;
+    return look;
+}
+
+void paint_apart(const std::vector<SeenPoint>& points, const std::vector<SeenSurface>& surfaces,
+                 const SectionRequest& request, geometry::MapSheet& sheet, const model::Record& record) {
+    std::vector<std::size_t> seen;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (surfaces[i].points > 0) seen.push_back(i);
+    }
+    for (std::size_t place = 0; place < seen.size(); ++place) {
+        const geometry::SheetLook look = tone_of(place, seen.size());
+        std::vector<SeenPoint> own;
+        for (const SeenPoint& p : points) {
+            if (p.surface != seen[place]) continue;
+            own.push_back(p);
+            own.back().has_colour = true;
+            own.back().colour = {static_cast<std::uint8_t>(look.fill >> 16U),
+                                 static_cast<std::uint8_t>(look.fill >> 8U), static_cast<std::uint8_t>(look.fill)};
+        }
+        paint(own, request.cell, sheet);
+        // Clear pixels too: PDF readers smooth colour and clearness apart, and black would run into the tone.
+        auto& rgba = sheet.pictures.back().rgba;
+        for (std::size_t i = 0; i < rgba.size(); i += 4) {
+            rgba[i] = own.front().colour.red;
+            rgba[i + 1] = own.front().colour.green;
+            rgba[i + 2] = own.front().colour.blue;
+        }
+        const model::Surface* surface = surfaces[seen[place]].surface;
+        sheet.keys.push_back({surface == nullptr ? "scans of no surface" : surface_name(record, *surface), look,
+                              geometry::SheetSign::None});
+    }
+}
+
 void add_outlines(Project& project, const model::Section& plane, double length, SectionSheet& made) {
     const model::Record& record = project.record();
     for (const model::Region& region : record.regions) {
@@ -109,18 +172,28 @@ SectionSheet section_sheet(Project& project, const SectionRequest& request, Prog
     const double length = std::hypot(request.to[0] - request.from[0], request.to[1] - request.from[1]);
     if (!(length > 0.01)) throw Error(ErrorCode::Usage, "both ends of the section are one place");
     const model::Surface* surface = request.surface.empty() ? nullptr : &known_surface(record, request.surface);
-    const std::vector<const model::Scan*> wanted =
+    // Of all surfaces together each scan counts for its own.
+    const std::vector<const model::Scan*> named =
         surface == nullptr ? std::vector<const model::Scan*>{} : scans_of(record, *surface);
-    const auto is_wanted = [&](const model::Scan& scan) {
-        return surface == nullptr || std::find(wanted.begin(), wanted.end(), &scan) != wanted.end();
-    };
-    const std::vector<PlacedScan> scans = placed_scans(project, is_wanted, progress);
+    std::vector<SeenSurface> surfaces = surfaces_of(record, surface);
     std::vector<SeenPoint> points;
     const RegionGround slab = slab_of(request, length);
-    for_points_on(slab, scans, [&](const RegionPoint& p) {
-        const Eigen::Vector3d x = slab.frame_from_site * p.x_in_site;
-        points.push_back({static_cast<float>(x.x()), static_cast<float>(x.y()), p.colour, p.intensity, p.has_colour});
-    });
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const model::SurfaceId own = surfaces[i].surface == nullptr ? model::SurfaceId{} : surfaces[i].surface->id;
+        const auto is_wanted = [&](const model::Scan& scan) {
+            return surface == nullptr ? scan.surface == own
+                                      : std::find(named.begin(), named.end(), &scan) != named.end();
+        };
+        const std::vector<PlacedScan> scans = placed_scans(project, is_wanted, progress);
+        for_points_on(slab, scans, [&](const RegionPoint& p) {
+            const Eigen::Vector3d x = slab.frame_from_site * p.x_in_site;
+            points.push_back(
+                {static_cast<float>(x.x()), static_cast<float>(x.y()), p.colour, p.intensity, p.has_colour, i});
+            ++surfaces[i].points;
+        });
+    }
+    const auto several =
+        std::count_if(surfaces.begin(), surfaces.end(), [](const SeenSurface& s) { return s.points > 0; }) > 1;
     SectionSheet made;
     made.points = points.size();
     model::Section plane;
@@ -139,8 +212,11 @@ SectionSheet section_sheet(Project& project, const SectionRequest& request, Prog
     if (extent.is_empty()) throw Error(ErrorCode::BadInput, "neither registered scans nor outlines lie in this plane");
     made.sheet.extent = {{0.0, std::floor((extent.low[1] - kSpare) * 10.0) / 10.0},
                          {length, std::ceil((extent.high[1] + kSpare) * 10.0) / 10.0}};
-    if (!points.empty())
-        paint(points, request.cell, made.sheet.extent.low[1], made.sheet.extent.high[1], length, made.sheet);
+    if (several && request.surfaces_apart) {
+        paint_apart(points, surfaces, request, made.sheet, record);
+    } else if (!points.empty()) {
+        paint(points, request.cell, made.sheet);
+    }
     made.sheet.is_section = true;
     made.sheet.site = record.settings.name;
     made.sheet.title = surface == nullptr ? "Section" : "Section, " + surface_name(record, *surface);

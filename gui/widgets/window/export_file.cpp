@@ -114,7 +114,11 @@ QString write_section_file(app::Project& project, const std::filesystem::path& f
     const auto found =
         std::find_if(sections.begin(), sections.end(), [&](const model::Section& one) { return one.name == section; });
     if (found == sections.end()) throw Error(ErrorCode::NotFound, "no section " + section);
-    return write_free_section_file(project, file, found->from_in_site, found->to_in_site, scale, progress);
+    app::SectionRequest request; // the wall as one picture, as it is drawn on
+    request.from = found->from_in_site;
+    request.to = found->to_in_site;
+    write_sheet(app::section_sheet(project, request, progress).sheet, file, scale, progress);
+    return wrote(file);
 }
 
 QString write_free_section_file(app::Project& project, const std::filesystem::path& file,
@@ -123,6 +127,7 @@ QString write_free_section_file(app::Project& project, const std::filesystem::pa
     app::SectionRequest request;
     request.from = from_in_site;
     request.to = to_in_site;
+    request.surfaces_apart = true;
     write_sheet(app::section_sheet(project, request, progress).sheet, file, scale, progress);
     return wrote(file);
 }

@@ -94,6 +94,31 @@ TEST_CASE("A section has at least three heights beside it, however low it is") {
     }
 }
 
+TEST_CASE("A section that would be a strip on its paper has a page of its own size") {
+    geometry::MapSheet section = trench();
+    section.is_section = true;
+    section.extent = {{0.0, 49.0}, {4.0, 49.9}};
+    const std::string pdf = render_map_pdf(section, {20.0, 100.0}, Progress::none());
+    CHECK(pdf.find("/MediaBox [0 0 842") == std::string::npos);
+    CHECK(pdf.find("/MediaBox [0 0 595") == std::string::npos);
+    section.extent.high[1] = 51.0; // this one fills A4
+    const std::string full = render_map_pdf(section, {20.0, 100.0}, Progress::none());
+    CHECK(full.find("/MediaBox [0 0 842") != std::string::npos);
+}
+
+TEST_CASE("A section is drawn at the largest scale at which it fits A4") {
+    geometry::MapSheet section = trench();
+    section.is_section = true;
+    section.extent = {{0.0, 49.0}, {4.0, 49.9}};
+    CHECK(section_scale(section) == 20.0);
+    section.extent.high[0] = 2.0;
+    CHECK(section_scale(section) == 10.0);
+    section.extent = {{0.0, 49.0}, {0.8, 49.3}};
+    CHECK(section_scale(section) == 5.0);
+    section.extent = {{0.0, 49.0}, {40.0, 51.0}};
+    CHECK(section_scale(section) == 20.0);
+}
+
 TEST_CASE("The ticks of a plan stand equally far apart both ways, two at least") {
     ensure_qt_runtime();
     geometry::MapSheet plan = trench();
