@@ -118,7 +118,7 @@ void run_section(const Context& context, Options& options) {
     }
     *context.out << fmt::format("{}: {:.1f} m long, {:.1f} to {:.1f} m high, at 1:{:g}, {} points, {} outlines\n",
                                 options.file, extent.high[0], extent.low[1], extent.high[1], scale, made.points,
-                                made.sheet.shapes.size());
+                                made.outlines);
 }
 
 void add_paper(CLI::App& command, Options& options, const std::string& scale_words) {

@@ -16,6 +16,7 @@
 #include "app/scans/days_surface.hpp"
 #include "app/scans/surface_scans.hpp"
 #include "app/surfaces/recorded_surface.hpp"
+#include "app/surfaces/sheet_looks.hpp"
 #include "app/surfaces/surface_cache.hpp"
 #include "app/surfaces/surface_picture.hpp"
 #include "core/base/error.hpp"
@@ -34,11 +35,13 @@ using model::RegionCategory;
 using model::UnitForm;
 using model::UnitKind;
 
-constexpr double kSpare = 0.3;      // around outlines [m]
-constexpr double kOverColour = 0.4; // fills hide less of a photograph
+constexpr double kSpare = 0.3;       // around outlines [m]
+constexpr double kOverPhoto = 0.6;   // width of lines at least [mm]
+constexpr double kUnseenArea = 0.02; // [m²]
 constexpr double kHair = 1e-6;
 constexpr double kRound = 0.1; // edges of a sheet are whole decimetres
 constexpr SheetLook kNoUnit{0x5d5a54, 0.25, SheetDash::Dotted, 0x8a8a8a, 0.25};
+constexpr SheetLook kUnseen{0x9a958a, 0.2, SheetDash::Solid, 0xffffff, 1.0};
 
 geometry::Extent sheet_extent(const geometry::Extent& content, double spare) {
     geometry::Extent extent;
@@ -165,6 +168,7 @@ class PlanMaker {
         if (outlines.is_empty()) sheet().extent = sheet_extent(seen_extent(made.grid), 0.0);
         if (request_.colour) {
             Orthophoto photo = orthophoto(made.grid, surface_scans(project_, surface.id, progress_), progress_);
+            is_photo_ = true;
             ground_ = (photo.is_colour ? "colour of " : "reflectance of ") + scans_of(made);
             sheet().pictures.push_back(std::move(photo.picture));
         } else {
@@ -175,10 +179,19 @@ class PlanMaker {
     }
 
     [[nodiscard]] SheetLook look_of(const model::Region& region) const {
-        if (region.category != RegionCategory::Unit) return kNoUnit;
+        if (region.category != RegionCategory::Unit) return on_ground(kNoUnit);
         const auto index = project_.index().find(region.unit);
-        if (index == model::kNoUnit) return unit_look(UnitKind::Unknown, UnitForm::None);
-        return unit_look(record_.units[index].kind, record_.units[index].form);
+        if (index == model::kNoUnit) return on_ground(unit_look(UnitKind::Unknown, UnitForm::None));
+        return on_ground(unit_look(record_.units[index].kind, record_.units[index].form));
+    }
+
+    // A thin fill over a photograph has no colour that the legend could show: there the lines are coloured instead.
+    [[nodiscard]] SheetLook on_ground(SheetLook look) const {
+        if (!is_photo_) return look;
+        look.line = look.fill;
+        look.width = std::max(look.width, kOverPhoto);
+        look.opacity = 0.0;
+        return look;
     }
 
     void add_regions(const std::vector<const model::Region*>& regions) {
@@ -191,10 +204,8 @@ class PlanMaker {
         std::set<std::string> units;
         for (const PlacedRegion* placed : by_size) {
             const std::string label = region_label(record_, project_.index(), *placed->region);
-            sheet().shapes.push_back({placed->drawn, look_of(*placed->region)});
-            if (request_.colour) sheet().shapes.back().look.opacity *= kOverColour;
             // The fill belongs to what is shown only: a region inside another cuts its own hole.
-            if (!placed->shown.empty()) sheet().shapes.back().shape = placed->shown;
+            add_outline(sheet(), placed->shown.empty() ? placed->drawn : placed->shown, look_of(*placed->region));
             add_label(placed->shown.empty() ? placed->drawn : placed->shown, label, *placed->region);
             if (!placed->region->unit.is_nil()) units.insert(label);
         }
@@ -255,15 +266,35 @@ class PlanMaker {
 
     void add_keys(const std::vector<const model::Region*>& regions) {
         for (const KindWords& known : kKindWords) {
-            const SheetLook look = unit_look(known.kind, known.form);
+            const SheetLook look = on_ground(unit_look(known.kind, known.form));
             const bool used = std::any_of(regions.begin(), regions.end(),
                                           [&](const model::Region* region) { return look_of(*region) == look; });
             if (used) sheet().keys.push_back({std::string(known.words), look, geometry::SheetSign::None});
         }
         if (std::any_of(regions.begin(), regions.end(),
                         [&](const auto* r) { return r->category != RegionCategory::Unit; }))
-            sheet().keys.push_back({"no unit", kNoUnit, geometry::SheetSign::None});
+            sheet().keys.push_back({"no unit", on_ground(kNoUnit), geometry::SheetSign::None});
+        add_unseen_key();
         sheet().keys.insert(sheet().keys.end(), signs_.begin(), signs_.end());
+    }
+
+    // Holes up to 10 cm across are closed in the picture, so what is clear is worth a word.
+    void add_unseen_key() {
+        if (sheet().pictures.empty()) return;
+        const geometry::SheetPicture& picture = sheet().pictures.front();
+        const auto& [low, high] = sheet().extent;
+        double area = (high[0] - low[0]) * (high[1] - low[1]);
+        for (std::size_t i = 0; 4 * i < picture.rgba.size(); ++i) {
+            if (picture.rgba[4 * i + 3] == 0) continue;
+            const auto width = static_cast<std::size_t>(picture.width);
+            const double x = picture.left + (static_cast<double>(i % width) + 0.5) * picture.pixel;
+            const double y = picture.top - (static_cast<double>(i / width) + 0.5) * picture.pixel;
+            if (x > low[0] && x < high[0] && y > low[1] && y < high[1]) area -= picture.pixel * picture.pixel;
+        }
+        if (area >= kUnseenArea)
+            sheet().keys.push_back(
+                {is_photo_ ? "white: ground that no scan saw" : "white or pale: ground that no scan saw", kUnseen,
+                 geometry::SheetSign::None});
     }
 
     void make_over() {
@@ -310,6 +341,7 @@ class PlanMaker {
             }
             sheet().keys.push_back({surface_name(record_, *surfaces[i]), look, geometry::SheetSign::None});
         }
+        add_unseen_key();
     }
 
     Project& project_;
@@ -319,64 +351,12 @@ class PlanMaker {
     model::ScannedBox scanned_;
     PlanSheet plan_;
     std::string ground_; ///< what the picture is
+    bool is_photo_ = false;
     std::optional<scans::SurfaceGrid> grid_;
     std::vector<geometry::SheetKey> signs_;
 };
 
 } // namespace
-
-SheetLook unit_look(UnitKind kind, UnitForm form) {
-    SheetLook look;
-    switch (kind) {
-    case UnitKind::Deposit:
-        look.fill = form == UnitForm::Fill ? 0xb9770e : 0xd9b46a;
-        look.opacity = form == UnitForm::Fill ? 0.38 : 0.25;
-        return look;
-    case UnitKind::Cut:
-        look.dash = SheetDash::Dashed;
-        look.fill = 0x5f7f95;
-        look.opacity = 0.25;
-        return look;
-    case UnitKind::Structure:
-        look.width = 0.5;
-        look.fill = 0xa44a3f;
-        look.opacity = 0.5;
-        return look;
-    case UnitKind::Skeleton:
-        look.fill = 0x6b5ca5;
-        look.opacity = 0.45;
-        return look;
-    case UnitKind::Feature:
-        look.fill = 0x8a6fa8;
-        look.opacity = 0.3;
-        return look;
-    case UnitKind::Natural:
-        look.fill = 0x5d8a54;
-        look.opacity = 0.3;
-        return look;
-    case UnitKind::Interface:
-    case UnitKind::Void:
-    case UnitKind::Unknown:
-        look.fill = 0x9a958a;
-        look.opacity = 0.25;
-        return look;
-    }
-    return look;
-}
-
-geometry::SheetColour colour_in_time(std::size_t place, std::size_t count) {
-    constexpr std::array<std::array<double, 3>, 4> kSteps = {
-        {{236, 160, 40}, {214, 80, 60}, {140, 40, 120}, {40, 30, 110}}};
-    const double at = count > 1 ? 3.0 * static_cast<double>(place) / static_cast<double>(count - 1) : 3.0;
-    const auto from = static_cast<std::size_t>(std::min(2.0, std::floor(at)));
-    geometry::SheetColour colour = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double value =
-            kSteps[from][k] + (at - static_cast<double>(from)) * (kSteps[from + 1][k] - kSteps[from][k]);
-        colour = colour << 8U | static_cast<geometry::SheetColour>(std::lround(value));
-    }
-    return colour;
-}
 
 PlanSheet plan_sheet(Project& project, const PlanRequest& request, Progress& progress) {
     return PlanMaker(project, request, progress).make();

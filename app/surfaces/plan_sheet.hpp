@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "app/project/project.hpp"
 #include "core/base/progress.hpp"
 #include "core/geometry/map_sheet.hpp"
-#include "core/model/unit.hpp"
 
 namespace planum::app {
 
@@ -25,12 +23,6 @@ struct PlanSheet {
     std::vector<std::string> units; ///< that are outlined
     std::vector<std::string> notes; ///< what could not be shown, and why
 };
-
-/// How a unit of that kind is drawn, the same on plans, sections and on the screen.
-[[nodiscard]] geometry::SheetLook unit_look(model::UnitKind kind, model::UnitForm form);
-
-/// The colour of the surface at `place` of `count` in time: early light, late dark, so that they differ in grey too.
-[[nodiscard]] geometry::SheetColour colour_in_time(std::size_t place, std::size_t count);
 
 /// A plan: the ground from the scans, outlines, unit numbers with the height of the ground below them where the unit
 /// has no level of its own, levels, finds of its days. Without registered scans there are outlines only. Throws

@@ -15,8 +15,8 @@
 #include "app/regions/region_points.hpp"
 #include "app/scans/days_surface.hpp"
 #include "app/scans/surface_scans.hpp"
-#include "app/surfaces/plan_sheet.hpp"
 #include "app/surfaces/recorded_surface.hpp"
+#include "app/surfaces/sheet_looks.hpp"
 #include "app/surfaces/surface_picture.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/polygon_overlay.hpp"
@@ -156,8 +156,10 @@ void add_outlines(Project& project, const model::Section& plane, double length, 
         if (!inside) continue;
         const auto unit = project.index().find(region.unit);
         const bool known = unit != model::kNoUnit;
-        made.sheet.shapes.push_back({shape, known ? unit_look(record.units[unit].kind, record.units[unit].form)
-                                                  : unit_look(model::UnitKind::Unknown, model::UnitForm::None)});
+        add_outline(made.sheet, shape,
+                    known ? unit_look(record.units[unit].kind, record.units[unit].form)
+                          : unit_look(model::UnitKind::Unknown, model::UnitForm::None));
+        ++made.outlines;
         const std::string label = region_label(record, project.index(), region);
         const auto [x, y] = geometry::inner_place(shape);
         made.sheet.labels.push_back({x, y, label, {}});

@@ -25,6 +25,7 @@ struct SectionRequest {
 struct SectionSheet {
     geometry::MapSheet sheet; ///< x along the section from `from`, y height
     std::size_t points = 0;
+    std::size_t outlines = 0;       ///< that lie in the plane
     std::vector<std::string> units; ///< whose outlines lie in the plane
 };
 
