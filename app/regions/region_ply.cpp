@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <cstddef>
 #include <cstring>
 #include <fstream>
@@ -46,8 +47,9 @@ class PlyFile {
     PlyFile(const fs::path& target, const std::string& header)
         : target_(target), partial_(target.string() + ".part"), bytes_(header) {
         refuse_to_replace_database(target_);
+        errno = 0;
         out_.open(partial_, std::ios::binary);
-        if (!out_) fail();
+        if (!out_) fail(errno);
     }
 
     ~PlyFile() {
@@ -71,10 +73,12 @@ class PlyFile {
 
     void finish() {
         flush();
+        errno = 0;
         out_.close();
+        if (!out_) fail(errno);
         std::error_code error;
-        if (out_) fs::rename(partial_, target_, error);
-        if (!out_ || error) fail();
+        fs::rename(partial_, target_, error);
+        if (error) fail(error.value());
         finished_ = true;
     }
 
@@ -82,13 +86,16 @@ class PlyFile {
     static constexpr std::size_t kChunk = 1U << 20U;
 
     void flush() {
+        errno = 0;
         out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
+        const int problem = errno;
         bytes_.clear();
-        if (!out_) fail(); // a full disk: do not go on through all points
+        if (!out_) fail(problem); // a full disk: do not go on through all points
     }
 
-    [[noreturn]] void fail() const {
-        throw Error(ErrorCode::Io, fmt::format("{}: cannot be written", target_.string()));
+    [[noreturn]] void fail(int problem) const {
+        throw Error(ErrorCode::Io, fmt::format("{}: cannot be written{}{}", target_.string(), problem == 0 ? "" : ": ",
+                                               problem == 0 ? "" : std::strerror(problem)));
     }
 
     fs::path target_;

@@ -22,7 +22,10 @@ Error disk_error(const Connection& connection, int extended) {
     if (extended == SQLITE_IOERR_SHORT_READ || extended == SQLITE_IOERR_CORRUPTFS) {
         return {ErrorCode::BadInput, "the file is damaged or cut short: restore a backup"};
     }
-    return {ErrorCode::Io, fmt::format("reading or writing the disk failed ({})", sqlite3_errstr(extended))};
+    return {ErrorCode::Io,
+            fmt::format("reading or writing the disk failed ({}): nothing was changed; see that the disk has space, is "
+                        "still there and allows files of this size, and try again",
+                        sqlite3_errstr(extended))};
 }
 
 Error plain_error(const Connection& connection, int result) {
