@@ -2,9 +2,11 @@
 #include "app/regions/outline_properties.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -64,7 +66,18 @@ std::string word_of(const Json& value) {
     return value.is_number_float() && word.ends_with(".0") ? word.substr(0, word.size() - 2) : word;
 }
 
+// All but the section are one word or number.
+constexpr std::array<std::string_view, 11> kPlainProperties = {
+    "unit", "area", "day", "surface", "category", "notes", "seenin", "drawnon", "onplane", "sigma", "shows"};
+
+void refuse_list(std::string_view key, const Json& value) {
+    if (!value.is_structured()) return;
+    if (std::find(kPlainProperties.begin(), kPlainProperties.end(), key) == kPlainProperties.end()) return;
+    refuse(fmt::format("{} is {} and not one word or number", key, value.is_array() ? "a list" : "an object"));
+}
+
 bool read_property(DrawnOutline& outline, const std::string& key, const Json& value) {
+    refuse_list(key, value);
     const std::string word = word_of(value);
     const std::string trimmed{text::trim(word)};
     if (key == "unit")

@@ -11,9 +11,9 @@ namespace planum::strat {
 
 using Json = nlohmann::json;
 
-/// Parses one JSON text. Throws Error{BadInput} with the byte where it stopped, also for more than 100
-/// nested brackets, more than ten million values, and numbers beyond a double. Nothing of the library's own exceptions
-/// leaves.
+/// Parses one JSON text. Throws Error{BadInput} with the line and column where it stopped and why, also for more than
+/// 100 nested brackets, more than ten million values, and numbers beyond a double. Nothing of the library's own
+/// exceptions leaves.
 [[nodiscard]] Json parse_json(std::string_view utf8);
 
 /// The member of an object, or nullptr when this is no object or has none of that name.

@@ -50,5 +50,14 @@ TEST_CASE("JSON of a later version is refused with both versions") {
     CHECK_THAT(failure(R"({"format": "planum-record", "version": 2})"),
                Contains("r.json: record version 2, this program knows up to 1"));
     CHECK_THAT(failure(R"({"format": "other"})"), Contains("r.json: no record of ours"));
-    CHECK_THAT(failure("{\"format\": \"planum-record\", "), Contains("r.json: not valid JSON at byte"));
+    CHECK_THAT(failure("{\"format\": \"planum-record\", "), Contains("r.json: not valid JSON at line"));
+}
+
+TEST_CASE("What is no JSON is refused with the place and what to do") {
+    CHECK_THAT(failure(""), Contains("r.json: the file is empty"));
+    CHECK_THAT(failure(" \n"), Contains("r.json: the file is empty"));
+    CHECK_THAT(failure("{\"a\": 1,\nx}"), Contains("not valid JSON at line 2, column 1"));
+    CHECK_THAT(failure("{\"ä\": NaN}"), Contains("line 1, column 7: JSON has no number NaN"));
+    CHECK_THAT(failure("{\"a\":\n -Infinity}"), Contains("line 2, column 3: JSON has no number Infinity"));
+    CHECK_THAT(failure("{\"a\": 1,\n\"b\": 1e999}"), Contains("line 2, column 6: the number 1e999 is too large"));
 }
