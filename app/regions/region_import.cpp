@@ -296,6 +296,11 @@ RegionImportReport import_outlines(Project& project, const OutlineFile& file, co
     for (const DrawnOutline& drawn : file.outlines) importer.take(drawn);
     RegionImportReport report = importer.finish();
     report.notes.insert(report.notes.begin(), file.notes.begin(), file.notes.end());
+    if (file.outlines.empty() && file.notes.empty()) {
+        // As `region patches` writes them when there is nothing to draw.
+        report.notes.push_back({"", "it holds no outline"});
+        return report;
+    }
     if (importer.taken() == 0) {
         std::vector<OutlineNote> reasons = report.refused;
         reasons.insert(reasons.end(), report.notes.begin(), report.notes.end());

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "app/regions/geojson_outlines.hpp"
 #include "app/regions/outline_text.hpp"
 #include "app/regions/region_import.hpp"
@@ -289,4 +291,31 @@ TEST_CASE("A typed outline and its text are the same shape") {
                             "1 2, a b", "POLYGON(1 2, 3 4)", "POLYGON((1 2, 3 4)", "CIRCLE(1 2)", "1 2, 3 4) x"}) {
         CHECK_THROWS_AS(app::parse_outline(bad), Error);
     }
+}
+
+TEST_CASE("Outlines in another encoding are refused with the line and what to do") {
+    CHECK(refusal("{\"type\": \"FeatureCollection\",\n\"name\": \"B\xFCro\", \"features\": []}") ==
+          "line 2 is not UTF-8: save the file as UTF-8");
+}
+
+TEST_CASE("A property that is no single word is not dropped: the outline is refused with its name") {
+    for (const char* value : {R"({"a": 1})", "[1, 2]"}) {
+        const auto read = app::read_geojson_outlines(
+            fmt::format(R"({{"type": "Feature", "properties": {{"unit": {}}}, "geometry": {{"type": "Polygon",
+                           "coordinates": [[[0, 0], [1, 0], [1, 1]]]}}}})",
+                        value));
+        CHECK(read.outlines.empty());
+        REQUIRE(read.notes.size() == 1);
+        CHECK(read.notes[0].message.find("unit is") == 0);
+    }
+}
+
+TEST_CASE("A file without outlines is taken as it is, and said to hold none") {
+    const test::TemporaryFolder folder;
+    app::Project project = app::Project::create(folder / "site.gpkg", {}, {});
+    const auto report = app::import_outlines(
+        project, app::read_geojson_outlines(R"({"type": "FeatureCollection", "features": []})"), {});
+    CHECK_FALSE(report.changed);
+    REQUIRE(report.notes.size() == 1);
+    CHECK(report.notes[0].message == "it holds no outline");
 }
