@@ -65,8 +65,8 @@ void print_problem(const Context& context, const model::Diagnostic& problem, con
         for (const std::string& reason : suspect.reasons) *context.out << "         - " << reason << '\n';
     }
     if (problem.suspects.size() > kSuspects) {
-        *context.out << fmt::format("      … and {} more suspects; --json shows all\n",
-                                    problem.suspects.size() - kSuspects);
+        *context.out << fmt::format("      … and {}; --json shows all\n",
+                                    text::counted(problem.suspects.size() - kSuspects, "more suspect"));
     }
 }
 
@@ -95,9 +95,9 @@ void print_problems(const Context& context, const app::DailyCheck& check, const 
 }
 
 void print_coverage(const Context& context, const model::Coverage& coverage) {
-    *context.out << fmt::format(
-        "of {} relations that state an order: {} confirmed by levels or surfaces, {} contradicted\n",
-        coverage.relations, coverage.confirmed, coverage.contradicted);
+    *context.out << fmt::format("of {} an order: {} confirmed by levels or surfaces, {} contradicted\n",
+                                text::counted(coverage.relations, "relation that states", "relations that state"),
+                                coverage.confirmed, coverage.contradicted);
     for (const auto& [reason, count] : coverage.untestable) {
         *context.out << fmt::format("  {} could not be judged: {}\n", count, reason);
     }
@@ -161,9 +161,10 @@ void run_check(Context& context, const Options& options) {
     if (check.count(model::Severity::Error) > 0) context.status = 1;
     if (context.json) return context.print(to_json(check, project.index()));
     print_problems(context, check, project.index(), options.most);
-    *context.out << fmt::format("{} errors, {} warnings, {} remarks; {} accepted\n",
-                                check.count(model::Severity::Error), check.count(model::Severity::Warning),
-                                check.count(model::Severity::Info), check.accepted.size());
+    *context.out << fmt::format("{}, {}, {}; {} accepted\n",
+                                text::counted(check.count(model::Severity::Error), "error"),
+                                text::counted(check.count(model::Severity::Warning), "warning"),
+                                text::counted(check.count(model::Severity::Info), "remark"), check.accepted.size());
     if (!check.signed_off_at.empty()) {
         *context.out << fmt::format("last signed off {} by {}\n", check.signed_off_at, check.signed_off_by);
     }

@@ -28,7 +28,6 @@ Exit status: 0 fine, 1 check found undecided errors, 2 usage, 3 bad input, 4 dis
 
 void fill(CLI::App& root, Context& context) {
     root.description("Planum keeps the stratigraphy of a dig, says what contradicts what and why, and draws it.");
-    root.footer(kFooter);
     root.set_version_flag("--version", "planum " PLANUM_VERSION);
     root.require_subcommand(1);
     root.get_formatter()->column_width(34);
@@ -50,6 +49,7 @@ void fill(CLI::App& root, Context& context) {
     add_register_commands(root, context);
     add_suggest_commands(root, context);
     add_demo_commands(root, context);
+    root.footer(kFooter); // last: commands added after it would take it over
 }
 
 // CLI11 only says that a command is missing; a mistyped one deserves better.

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/demo/demo_job.hpp"
+#include "core/base/text.hpp"
 #include "paint/font_measure.hpp"
 
 namespace planum::cli {
@@ -58,12 +59,15 @@ void run_demo(const Context& context, const Options& options) {
         app::run_demo_job(options.folder, simulation(options), context.session(), measure, *context.progress);
     if (context.json) return print_json(context, job, options);
     std::ostream& out = *context.out;
-    out << fmt::format("a simulated dig in {}: {} units, {} scans with {} points, dug in the {} way\n", options.folder,
-                       job.units, job.scans, job.points, options.method);
-    out << fmt::format("  record/         its sheets; check says {} errors, {} warnings\n", job.errors, job.warnings);
-    out << fmt::format("  with-mistakes/  a copy with {} mistakes; check says {} errors, {} warnings\n", job.mistakes,
-                       job.errors_mistaken, job.warnings_mistaken);
-    const std::string placed = job.registered > 0 ? fmt::format("; {} are on the site grid", job.registered) : "";
+    out << fmt::format("a simulated dig in {}: {}, {} with {}, dug in the {} way\n", options.folder,
+                       text::counted(job.units, "unit"), text::counted(job.scans, "scan"),
+                       text::counted(job.points, "point"), options.method);
+    out << fmt::format("  record/         its sheets; check says {}, {}\n", text::counted(job.errors, "error"),
+                       text::counted(job.warnings, "warning"));
+    out << fmt::format("  with-mistakes/  a copy with {}; check says {}, {}\n", text::counted(job.mistakes, "mistake"),
+                       text::counted(job.errors_mistaken, "error"), text::counted(job.warnings_mistaken, "warning"));
+    const std::string placed =
+        job.registered > 0 ? fmt::format("; {} on the site grid", text::counted(job.registered, "is", "are")) : "";
     out << fmt::format("  DAY/*.ptx       the scans, markers.csv what was measured of the markers{}\n", placed);
     out << "  outlines/       what the draughtsman drew on each day\n"
            "  truth.json      what is true: poses, order, contacts, volumes, mistakes\n\n";

@@ -44,7 +44,8 @@ void print_text(const Context& context, const app::FindAssignment& assignment, b
         *context.out << "no find is without unit\n";
         return;
     }
-    *context.out << fmt::format("{} of {} finds without unit {}\n", with_unit, assignment.proposals.size(),
+    *context.out << fmt::format("{} of {} without unit {}\n", with_unit,
+                                text::counted(assignment.proposals.size(), "find"),
                                 applied ? "got one" : "would get one; --apply writes it");
 }
 

@@ -70,10 +70,11 @@ void print_text(const Context& context, const app::ImportReport& report, bool dr
         *context.out << fmt::format("read {} as {}\n", text::join(reading.files, ", "), reading.title);
         if (!reading.note.empty()) *context.out << "  " << reading.note << '\n';
     }
-    *context.out << fmt::format(
-        "{}: {} units ({} only mentioned), {} relations, {} statements, {} others; {} units filled\n",
-        dry_run ? "would be new" : "new", report.new_units, report.mentioned_units, report.new_relations,
-        report.new_statements, report.new_others, report.filled_units);
+    *context.out << fmt::format("{}: {} ({} only mentioned), {}, {}, {}; {} filled\n", dry_run ? "would be new" : "new",
+                                text::counted(report.new_units, "unit"), report.mentioned_units,
+                                text::counted(report.new_relations, "relation"),
+                                text::counted(report.new_statements, "statement"),
+                                text::counted(report.new_others, "other"), text::counted(report.filled_units, "unit"));
     if (!report.changed) *context.out << "nothing new: the project is as it was\n";
     for (const std::string& warning : report.warnings) *context.out << "warning: " << warning << '\n';
     for (const auto& c : report.conflicts) {

@@ -134,8 +134,8 @@ void run_draw(const Context& context, const MatrixOptions& options, MatrixKind k
     }
     if (kind == MatrixKind::Pdf) warn_of_small_print(context, options, drawing, pdf);
     if (!to_stdout) {
-        context.say(
-            fmt::format("wrote {}: {} boxes, {} lines", options.output, drawing.boxes.size(), drawing.lines.size()));
+        context.say(fmt::format("wrote {}: {}, {}", options.output, text::counted(drawing.boxes.size(), "box", "boxes"),
+                                text::counted(drawing.lines.size(), "line")));
     }
     if (!context.json) return;
     std::size_t units = 0;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scans/panorama_file.hpp"
+#include "core/base/text.hpp"
 
 namespace planum::cli {
 
@@ -45,11 +46,12 @@ void run_panorama(const Context& context, const Options& options) {
                               {"site_from_scan", pose}});
     }
     const double share = 100.0 * static_cast<double>(made.filled) / (static_cast<double>(made.width) * made.height);
-    *context.out << fmt::format("{}: {} of {}, {}, {} x {} pixels, {:.0f} % of them filled, from {} points\n",
-                                options.file, made.channel, made.scan, options.request.projection, made.width,
-                                made.height, share, made.points);
+    *context.out << fmt::format("{}: {} of {}, {}, {} x {} pixels, {:.0f} % of them filled, from {}\n", options.file,
+                                made.channel, made.scan, options.request.projection, made.width, made.height, share,
+                                text::counted(made.points, "point"));
     if (made.outside > 0) {
-        context.say(fmt::format("{} points lie above or below what this projection shows", made.outside));
+        context.say(fmt::format("{} above or below what this projection shows",
+                                text::counted(made.outside, "point lies", "points lie")));
     }
 }
 

@@ -79,10 +79,9 @@ void run_plan(const Context& context, const Options& options) {
                               {"units", made.units},
                               {"notes", made.notes}});
     }
-    *context.out << fmt::format("{}: {:.1f} x {:.1f} m at 1:{:g}, {} {}\n", options.file,
-                                extent.high[0] - extent.low[0], extent.high[1] - extent.low[1],
-                                parse_scale(options.scale), made.units.size(),
-                                made.units.size() == 1 ? "unit" : "units");
+    *context.out << fmt::format("{}: {:.1f} x {:.1f} m at 1:{:g}, {}\n", options.file, extent.high[0] - extent.low[0],
+                                extent.high[1] - extent.low[1], parse_scale(options.scale),
+                                text::counted(made.units.size(), "unit"));
     for (const std::string& note : made.notes) context.say(note);
 }
 
@@ -116,9 +115,9 @@ void run_section(const Context& context, Options& options) {
                               {"points", made.points},
                               {"units", made.units}});
     }
-    *context.out << fmt::format("{}: {:.1f} m long, {:.1f} to {:.1f} m high, at 1:{:g}, {} points, {} outlines\n",
-                                options.file, extent.high[0], extent.low[1], extent.high[1], scale, made.points,
-                                made.outlines);
+    *context.out << fmt::format("{}: {:.1f} m long, {:.1f} to {:.1f} m high, at 1:{:g}, {}, {}\n", options.file,
+                                extent.high[0], extent.low[1], extent.high[1], scale,
+                                text::counted(made.points, "point"), text::counted(made.outlines, "outline"));
 }
 
 void add_paper(CLI::App& command, Options& options, const std::string& scale_words) {

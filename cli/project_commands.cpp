@@ -11,6 +11,7 @@
 #include "app/records/record_kind.hpp"
 #include "app/scans/verify_scans.hpp"
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
 namespace planum::cli {
 
@@ -107,11 +108,11 @@ struct VerifyOptions {
 
 void say_cleaned(const Context& context, const app::Cleaned& cleaned) {
     for (const auto& file : cleaned.removed) context.say("removed " + file.string());
-    context.say(fmt::format("removed {} files of {:.1f} MB; the project is {:.1f} MB shorter", cleaned.removed.size(),
-                            static_cast<double>(cleaned.removed_bytes) / 1e6,
-                            static_cast<double>(cleaned.freed_bytes) / 1e6));
+    context.say(fmt::format(
+        "removed {} of {:.1f} MB; the project is {:.1f} MB shorter", text::counted(cleaned.removed.size(), "file"),
+        static_cast<double>(cleaned.removed_bytes) / 1e6, static_cast<double>(cleaned.freed_bytes) / 1e6));
     if (cleaned.forgotten_changes > 0) {
-        context.say(fmt::format("{} changes can no longer be taken back", cleaned.forgotten_changes));
+        context.say(fmt::format("{} can no longer be taken back", text::counted(cleaned.forgotten_changes, "change")));
     }
 }
 

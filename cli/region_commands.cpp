@@ -72,8 +72,8 @@ void print_names(const Context& context, const char* what, const std::vector<std
 }
 
 void print_text(const Context& context, const app::RegionImportReport& report, bool dry_run) {
-    *context.out << fmt::format("{}: {} regions; {} redrawn, {} named, {} as they were\n",
-                                dry_run ? "would be new" : "new", report.fresh.size(), report.redrawn.size(),
+    *context.out << fmt::format("{}: {}; {} redrawn, {} named, {} as they were\n", dry_run ? "would be new" : "new",
+                                text::counted(report.fresh.size(), "region"), report.redrawn.size(),
                                 report.named.size(), report.same);
     print_names(context, "areas made", report.areas);
     print_names(context, "surfaces made", report.surfaces);
@@ -138,7 +138,7 @@ void run_list(const Context& context, const std::string& day) {
     }
     for (const app::RegionRow& row : regions.rows) {
         std::string line = fmt::format("{:<24} {:<8} {:>8.2f} m²", row.region, row.shows, row.area);
-        if (row.points > 0) line += fmt::format("  {} points", row.points);
+        if (row.points > 0) line += "  " + text::counted(row.points, "point");
         if (row.z_min) line += fmt::format("  {:.2f} … {:.2f} m", *row.z_min, *row.z_max);
         if (!row.drawn.empty()) {
             line += fmt::format("  no unit {}{}", row.drawn,
@@ -184,9 +184,12 @@ void run_patches(const Context& context, const PatchArguments& arguments) {
         context.say(fmt::format("{} more outside all outlines: heaps, paths, or the trench grew", found.outside));
     }
     for (const std::string& note : found.notes) context.say(note);
-    if (!arguments.output.empty()) {
-        context.say(fmt::format("wrote {} patches to {}; after a look, planum region import takes them",
-                                found.patches.size(), arguments.output));
+    if (!arguments.output.empty() && found.patches.empty()) {
+        context.say("wrote " + arguments.output + " without outlines");
+    } else if (!arguments.output.empty()) {
+        context.say(fmt::format("wrote {} to {}; after a look, planum region import takes {}",
+                                text::counted(found.patches.size(), "patch", "patches"), arguments.output,
+                                found.patches.size() == 1 ? "it" : "them"));
     }
 }
 
@@ -223,7 +226,7 @@ void add_region_commands(CLI::App& root, Context& context) {
         const model::Region region = app::region_named(project, points->region);
         const auto count = app::write_region_points(project, region, points->file, *context.progress);
         if (context.json) return context.print({{"region", points->region}, {"file", points->file}, {"points", count}});
-        context.say(fmt::format("wrote {} points to {}", count, points->file));
+        context.say(fmt::format("wrote {} to {}", text::counted(count, "point"), points->file));
     });
     auto patches = std::make_shared<PatchArguments>();
     CLI::App* ready = add_command(*group, context, "patches",

@@ -10,6 +10,7 @@
 #include "app/registration/import_markers.hpp"
 #include "app/registration/register_scans.hpp"
 #include "app/registration/registration_runs.hpp"
+#include "core/base/text.hpp"
 
 namespace planum::cli {
 
@@ -44,12 +45,13 @@ void print_scan(const Context& context, const app::ReportedScan& scan) {
 }
 
 void print_link(const Context& context, const app::ReportedLink& link) {
-    *context.out << fmt::format("  {} - {}: {}, rms {:.1f} mm, overlap {:.0f} %, {} features, ground: {} pieces "
+    *context.out << fmt::format("  {} - {}: {}, rms {:.1f} mm, overlap {:.0f} %, {}, ground: {} "
                                 "stable, {} changed, {} shifted; "
                                 "{:.1f} → {:.1f} σ, {}\n",
                                 link.from, link.to, link.is_accepted ? "used" : "not used", link.rms * 1e3,
-                                link.overlap * 100.0, link.inliers, link.stable_patches, link.changed_patches,
-                                link.shifted_patches, link.error_before, link.error_after, link.verdict);
+                                link.overlap * 100.0, text::counted(link.inliers, "feature"),
+                                text::counted(link.stable_patches, "piece"), link.changed_patches, link.shifted_patches,
+                                link.error_before, link.error_after, link.verdict);
 }
 
 void print_report(const Context& context, const app::RegistrationReport& report) {
@@ -63,8 +65,10 @@ void print_report(const Context& context, const app::RegistrationReport& report)
         for (const auto& link : report.links) print_link(context, link);
     }
     if (!report.run.empty()) {
-        *context.out << fmt::format("run {} ({}): {} of {} scans placed, {} pairs tried, {} links\n", report.run,
-                                    report.state, placed, report.scans.size(), report.pairs_tried, report.links.size());
+        *context.out << fmt::format("run {} ({}): {} of {} placed, {} tried, {}\n", report.run, report.state, placed,
+                                    text::counted(report.scans.size(), "scan"),
+                                    text::counted(report.pairs_tried, "pair"),
+                                    text::counted(report.links.size(), "link"));
     }
     for (const auto& note : report.notes) *context.out << note << '\n';
 }
@@ -125,8 +129,8 @@ void run_markers(const Context& context, const std::string& file, bool update) {
                               {"conflicts", report.conflicts},
                               {"warnings", report.warnings}});
     }
-    *context.out << fmt::format("{} markers added, {} updated, {} as before\n", report.added, report.updated,
-                                report.same);
+    *context.out << fmt::format("{} added, {} updated, {} as before\n", text::counted(report.added, "marker"),
+                                report.updated, report.same);
     for (const auto& line : report.conflicts) *context.out << line << '\n';
     for (const auto& line : report.warnings) *context.out << line << '\n';
 }

@@ -11,6 +11,7 @@
 
 #include "app/scans/add_scans.hpp"
 #include "app/scans/list_scans.hpp"
+#include "core/base/text.hpp"
 
 namespace planum::cli {
 
@@ -54,7 +55,8 @@ void run_add(const Context& context, const AddOptions& options) {
     for (const app::AddedScan& one : report.added) {
         const std::string grid =
             one.scan.rows > 0 ? fmt::format(", grid {} x {}", one.scan.rows, one.scan.columns) : "";
-        out << fmt::format("added {}: {}, {} points{}\n", one.scan.name, one.scan.format, one.scan.points, grid);
+        out << fmt::format("added {}: {}, {}{}\n", one.scan.name, one.scan.format,
+                           text::counted(one.scan.points, "point"), grid);
         for (const std::string& note : one.notes) out << "  " << note << '\n';
     }
     for (const app::ScanThere& one : report.there_already) {

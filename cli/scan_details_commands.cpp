@@ -111,10 +111,6 @@ class Lines {
     std::ostream* out_;
 };
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string megabytes(std::uint64_t bytes) { return fmt::format("{:.2f} MB", static_cast<double>(bytes) / 1e6); }
 
 std::string extent(const std::optional<app::ScanExtent>& bounds) {
@@ -142,7 +138,7 @@ std::string standing(const app::ListedScan& listed) {
 }
 
 void print_original(Lines& lines, const app::OriginalDetails& original) {
-    lines.line("in the file", fmt::format("{}; of each: {}", counted(original.records, "record", "records"),
+    lines.line("in the file", fmt::format("{}; of each: {}", text::counted(original.records, "record", "records"),
                                           text::join(original.attributes, ", ")));
     lines.line("columns", original.column_guess);
     if (original.intensity) {
@@ -181,9 +177,10 @@ void run_show(const Context& context, const std::string& name) {
     }
     lines.line("file", fmt::format("{} ({})", scan.path, kind));
     lines.line("day", fmt::format("{}, surface {}", scan.day, details.listed.surface));
-    lines.line("points",
-               fmt::format("{}{}", scan.points,
-                           scan.rows > 0 ? fmt::format(", grid {} rows x {} columns", scan.rows, scan.columns) : ""));
+    lines.line("points", fmt::format("{}{}", scan.points,
+                                     scan.rows > 0 ? fmt::format(", grid {} x {}", text::counted(scan.rows, "row"),
+                                                                 text::counted(scan.columns, "column"))
+                                                   : ""));
     lines.line("extent", extent(details.store.bounds));
     const std::vector<std::string>& kept = details.store.channels;
     lines.line("kept", kept.empty() ? "coordinates only" : "coordinates, " + text::join(kept, ", "));
@@ -193,8 +190,8 @@ void run_show(const Context& context, const std::string& name) {
     lines.line("registered", standing(details.listed));
     lines.line("verdict", details.listed.verdict);
     lines.line("store", fmt::format("{}, {}, {} in {}", details.store.file, megabytes(details.store.file_bytes),
-                                    counted(details.store.nodes, "block", "blocks"),
-                                    counted(details.store.levels, "level", "levels")));
+                                    text::counted(details.store.nodes, "block", "blocks"),
+                                    text::counted(details.store.levels, "level", "levels")));
     if (details.original) print_original(lines, *details.original);
     lines.line("original", details.original_trouble);
 }

@@ -13,6 +13,7 @@
 #include "app/scans/days_surface.hpp"
 #include "app/suggestions/suggestions.hpp"
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
 namespace planum::cli {
 
@@ -163,8 +164,8 @@ void decide(const Context& context, const Options& options) {
         context.say(fmt::format("{} rejected", options.reject.size()));
     } else {
         const std::size_t count = app::compile_interpretation(project, options.into, *context.progress);
-        context.say(fmt::format("interpretation {}: {} {}, all from surfaces", options.into, count,
-                                count == 1 ? "relation" : "relations"));
+        context.say(
+            fmt::format("interpretation {}: {}, all from surfaces", options.into, text::counted(count, "relation")));
     }
 }
 

@@ -45,12 +45,13 @@ ordered_json to_json(const app::SurveyReport& report) {
 }
 
 void print_text(const Context& context, const app::SurveyReport& report, bool dry_run) {
-    *context.out << fmt::format("{} points; {}: {} levels, {} finds; {} finds changed\n", report.points,
-                                dry_run ? "would be new" : "new", report.new_levels, report.new_finds,
-                                report.changed_finds);
+    *context.out << fmt::format("{}; {}: {}, {}; {} changed\n", text::counted(report.points, "point"),
+                                dry_run ? "would be new" : "new", text::counted(report.new_levels, "level"),
+                                text::counted(report.new_finds, "find"), text::counted(report.changed_finds, "find"));
     if (!report.new_units.empty()) *context.out << "units made: " << text::join(report.new_units, ", ") << '\n';
     for (const auto& [code, count] : report.other_codes) {
-        *context.out << fmt::format("left out, neither level nor find: {} points with code {}\n", count, code);
+        *context.out << fmt::format("left out, neither level nor find: {} with code {}\n",
+                                    text::counted(count, "point"), code);
     }
     for (const auto& c : report.conflicts) {
         *context.out << fmt::format("{}, {}: {} {} (file: {})\n", c.what, c.field, c.replaced ? "replaced" : "kept",

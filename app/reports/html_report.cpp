@@ -82,10 +82,11 @@ class Page {
         out_ += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" +
                 xml_escaped(settings.name) + "</title>\n<style>" + std::string(on_paper_ ? kPaperStyle : kStyle) +
                 "</style>\n</head>\n<body>\n";
-        const std::string size =
-            input_.day.empty() ? fmt::format("{} units, {} relations", record_.units.size(), record_.relations.size())
-                               : fmt::format("{} units of the day, {} beside them", input_.of_day.size(),
-                                             record_.units.size() - input_.of_day.size());
+        const std::string size = input_.day.empty() ? text::counted(record_.units.size(), "unit") + ", " +
+                                                          text::counted(record_.relations.size(), "relation")
+                                                    : fmt::format("{} of the day, {} beside them",
+                                                                  text::counted(input_.of_day.size(), "unit"),
+                                                                  record_.units.size() - input_.of_day.size());
         out_ +=
             fmt::format("<h1>{}{}</h1>\n<p class=\"sub\">{}. {} by {}, planum {}{}</p>\n", xml_escaped(settings.name),
                         input_.day.empty() ? "" : ", " + input_.day, size, xml_escaped(input_.made_at.substr(0, 10)),

@@ -258,6 +258,13 @@ Cleaned on_one_line(std::string_view bytes) {
     return result;
 }
 
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+    std::string words = std::to_string(count) + ' ';
+    words += count == 1 || many.empty() ? one : many;
+    if (count != 1 && many.empty()) words += 's';
+    return words;
+}
+
 std::optional<double> parse_double(std::string_view s) noexcept {
     s = trim(s);
     if (s.empty() || s.size() > 60) return std::nullopt;

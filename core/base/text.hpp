@@ -2,7 +2,9 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +54,14 @@ struct Cleaned {
 /// As clean_utf8, for names and what else stands on one line: tabs and line ends become blanks, signs that turn
 /// the direction of what follows (U+202A…202E, U+2066…2069) become U+FFFD; both are counted. Trimmed.
 [[nodiscard]] Cleaned on_one_line(std::string_view bytes);
+
+/// How many of what: `1 unit`, `2 units`, `0 units`. What takes no s is given as `many`.
+[[nodiscard]] std::string counted(std::int64_t count, std::string_view one, std::string_view many = {});
+
+template<std::unsigned_integral Count>
+[[nodiscard]] std::string counted(Count count, std::string_view one, std::string_view many = {}) {
+    return counted(static_cast<std::int64_t>(count), one, many);
+}
 
 /// A whole decimal number with '.' or ',' as point; nothing else around it but blanks.
 [[nodiscard]] std::optional<double> parse_double(std::string_view s) noexcept;

@@ -5030,6 +5030,10 @@ Bitte den Namen prüfen.</translation>
         <source>surface %1 of %2 stands before %3 of %4 in the order of surfaces, though its day is later: nothing is concluded from either until they are put in their order (Finds and lists › Surfaces › Place in time)</source>
         <translation>die Fläche %1 vom %2 steht in der Folge der Flächen vor %3 vom %4, obwohl ihr Tag später ist: aus beiden wird nichts geschlossen, bis sie in ihrer Folge stehen (Funde und Listen › Flächen › Platz in der Zeit)</translation>
     </message>
+    <message>
+        <source>%1: one of %2 relations stands on one of the two sheets only: %3</source>
+        <translation>%1: eine von %2 Beziehungen steht nur auf einem der beiden Bögen: %3</translation>
+    </message>
 </context>
 <context>
     <name>services</name>
@@ -5292,10 +5296,6 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>the disk is full: nothing was changed; free some space and try again</source>
         <translation>die Platte ist voll: nichts wurde geändert; Platz schaffen und noch einmal versuchen</translation>
-    </message>
-    <message>
-        <source>reading or writing the disk failed (%1)</source>
-        <translation>Lesen oder Schreiben der Platte schlug fehl (%1)</translation>
     </message>
     <message>
         <source>in use by another program: close it there and try again</source>
@@ -7208,6 +7208,26 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>surface %1 stands before %2, though its day is later: nothing is concluded from either until their places in time or their days are put right</source>
         <translation>die Fläche %1 steht vor %2, obwohl ihr Tag später ist: aus beiden wird nichts geschlossen, bis ihr Platz in der Zeit oder ihre Tage stimmen</translation>
+    </message>
+    <message>
+        <source>line %1 is not UTF-8: save the file as UTF-8</source>
+        <translation>Zeile %1 ist kein UTF-8: die Datei als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>not valid JSON at line %1, column %2</source>
+        <translation>kein gültiges JSON in Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: JSON has no number %3; leave it out or write null</source>
+        <translation>Zeile %1, Spalte %2: JSON kennt keine Zahl %3; weglassen oder null schreiben</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: the number %3 is too large</source>
+        <translation>Zeile %1, Spalte %2: die Zahl %3 ist zu groß</translation>
+    </message>
+    <message>
+        <source>reading or writing the disk failed (%1): nothing was changed; see that the disk has space, is still there and allows files of this size, and try again</source>
+        <translation>Lesen oder Schreiben der Platte schlug fehl (%1): nichts wurde geändert; nachsehen, ob die Platte Platz hat, noch da ist und Dateien dieser Größe erlaubt, und noch einmal versuchen</translation>
     </message>
 </context>
 <context>

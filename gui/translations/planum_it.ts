@@ -5024,6 +5024,10 @@ Please verify the correct directory name was given.</source>
         <source>surface %1 of %2 stands before %3 of %4 in the order of surfaces, though its day is later: nothing is concluded from either until they are put in their order (Finds and lists › Surfaces › Place in time)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: one of %2 relations stands on one of the two sheets only: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>services</name>
@@ -5285,10 +5289,6 @@ Please verify the correct directory name was given.</source>
     </message>
     <message>
         <source>the disk is full: nothing was changed; free some space and try again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>reading or writing the disk failed (%1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7201,6 +7201,26 @@ Please verify the correct directory name was given.</source>
     </message>
     <message>
         <source>surface %1 stands before %2, though its day is later: nothing is concluded from either until their places in time or their days are put right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1 is not UTF-8: save the file as UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not valid JSON at line %1, column %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, column %2: JSON has no number %3; leave it out or write null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, column %2: the number %3 is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading or writing the disk failed (%1): nothing was changed; see that the disk has space, is still there and allows files of this size, and try again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

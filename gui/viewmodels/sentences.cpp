@@ -168,6 +168,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("sentences", "number %1 is given to %2 units (%3), though numbers are unique on this site"),
     QT_TRANSLATE_NOOP("sentences", "%1 stands in area %2, whose numbers run from %3 to %4"),
     QT_TRANSLATE_NOOP("sentences", "%1: %2 of %3 relations stand on one of the two sheets only, among them: %4"),
+    QT_TRANSLATE_NOOP("sentences", "%1: one of %2 relations stands on one of the two sheets only: %3"),
     QT_TRANSLATE_NOOP("sentences", "%1 is named in a relation (%2) but has no sheet of its own"),
     QT_TRANSLATE_NOOP("sentences", "%1: the %2 of %3 is %4 here and was %5 before; the first is kept"),
     QT_TRANSLATE_NOOP("sentences", "%1 stands in no order to any other unit"),

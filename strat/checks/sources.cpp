@@ -65,10 +65,13 @@ void add_missing_reciprocals(const CheckContext& c, Findings& findings) {
         for (std::size_t i = 0; i < std::min<std::size_t>(count.one_sided.size(), 3); ++i) {
             examples.push_back(c.sentence(count.one_sided[i]));
         }
-        auto d =
-            make_diagnostic(Severity::Warning, "missing-reciprocal",
-                            fmt::format("{}: {} of {} relations stand on one of the two sheets only, among them: {}",
-                                        source.name, count.one_sided.size(), count.relations, list_names(examples, 3)));
+        const std::size_t lone = count.one_sided.size();
+        auto d = make_diagnostic(
+            Severity::Warning, "missing-reciprocal",
+            lone == 1 ? fmt::format("{}: one of {} relations stands on one of the two sheets only: {}", source.name,
+                                    count.relations, examples.front())
+                      : fmt::format("{}: {} of {} relations stand on one of the two sheets only, among them: {}",
+                                    source.name, lone, count.relations, list_names(examples, 3)));
         d.evidence["source"] = source.name;
         d.evidence["count"] = static_cast<std::int64_t>(count.one_sided.size());
         d.evidence["of"] = count.relations;

@@ -33,7 +33,12 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("services", "the file or its folder is read-only"),
     QT_TRANSLATE_NOOP("services", "the file or its folder cannot be written: check the permissions"),
     QT_TRANSLATE_NOOP("services", "the disk is full: nothing was changed; free some space and try again"),
-    QT_TRANSLATE_NOOP("services", "reading or writing the disk failed (%1)"),
+    QT_TRANSLATE_NOOP("services", "line %1 is not UTF-8: save the file as UTF-8"),
+    QT_TRANSLATE_NOOP("services", "not valid JSON at line %1, column %2"),
+    QT_TRANSLATE_NOOP("services", "line %1, column %2: JSON has no number %3; leave it out or write null"),
+    QT_TRANSLATE_NOOP("services", "line %1, column %2: the number %3 is too large"),
+    QT_TRANSLATE_NOOP("services", "reading or writing the disk failed (%1): nothing was changed; see that the disk has "
+                                  "space, is still there and allows files of this size, and try again"),
     QT_TRANSLATE_NOOP("services", "in use by another program: close it there and try again"),
     QT_TRANSLATE_NOOP("services", "an interrupted change has to be taken back first, and the file or its folder cannot "
                                   "be written: copy it with the files beside it to a place that can"),

@@ -71,3 +71,11 @@ TEST_CASE("Decimal comma and point both make numbers, anything else none") {
     CHECK(text::parse_integer("+7").value() == 7);
     CHECK_FALSE(text::parse_integer("7.0").has_value());
 }
+
+TEST_CASE("One thing is counted in the singular") {
+    CHECK(text::counted(0, "unit") == "0 units");
+    CHECK(text::counted(1, "unit") == "1 unit");
+    CHECK(text::counted(std::size_t{2}, "unit") == "2 units");
+    CHECK(text::counted(1, "box", "boxes") == "1 box");
+    CHECK(text::counted(3, "box", "boxes") == "3 boxes");
+}

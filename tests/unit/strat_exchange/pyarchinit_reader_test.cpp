@@ -174,7 +174,7 @@ INSERT INTO us_table VALUES ('Hill','1','1'),('Hill','1','2'),('Valley','1','1')
     CHECK(largest.values.units.size() == 2);
     REQUIRE(test::count_notes(largest.diagnostics, "several-sites") == 1);
     CHECK(largest.diagnostics[0].message ==
-          "site Hill with 2 units was read; left out: Valley (1 units); --site takes another or all (*)");
+          "site Hill with 2 units was read; left out: Valley (1 unit); --site takes another or all (*)");
     ReadOptions valley;
     valley.site = "Valley";
     CHECK(read_with(pyarchinit_reader(), {file}, valley).values.units.size() == 1);
