@@ -291,10 +291,11 @@ class PlanMaker {
             const double y = picture.top - (static_cast<double>(i / width) + 0.5) * picture.pixel;
             if (x > low[0] && x < high[0] && y > low[1] && y < high[1]) area -= picture.pixel * picture.pixel;
         }
-        if (area >= kUnseenArea)
-            sheet().keys.push_back(
-                {is_photo_ ? "white: ground that no scan saw" : "white or pale: ground that no scan saw", kUnseen,
-                 geometry::SheetSign::None});
+        if (area < kUnseenArea) return;
+        const bool is_filled = std::any_of(sheet().shapes.begin(), sheet().shapes.end(),
+                                           [](const geometry::SheetShape& shape) { return shape.look.opacity > 0.0; });
+        sheet().keys.push_back({is_filled ? "white or pale: ground that no scan saw" : "white: ground that no scan saw",
+                                kUnseen, geometry::SheetSign::None});
     }
 
     void make_over() {
