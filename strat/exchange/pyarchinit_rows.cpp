@@ -213,7 +213,8 @@ void PyarchinitRows::choose_site() {
     builder_.record.project_name = site_;
     std::string others;
     for (const auto& [name, count] : units) {
-        if (name != site_) others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", name, text::counted(count, "unit"));
+        if (name != site_)
+            others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", name, text::counted(count, "unit"));
     }
     const std::size_t taken = units.contains(site_) ? units.at(site_) : 0;
     const std::string& file =
