@@ -16,7 +16,7 @@ namespace planum::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(A day with Planum:
+constexpr const char* kDay = R"(A day with Planum:
   planum new site.gpkg                        a project file, once
   planum import site.gpkg units.csv           the list of units, every day anew
   planum check site.gpkg                      what contradicts what, and which statement to suspect
@@ -24,12 +24,15 @@ constexpr const char* kFooter = R"(A day with Planum:
   planum matrix site.gpkg -o matrix.svg       the Harris matrix (svg, pdf, png, dot, graphml, …)
   planum report site.gpkg -o report.xml       the record for the archive
 
-Exit status: 0 fine, 1 check found undecided errors, 2 usage, 3 bad input, 4 disk, 70 our fault.)";
+)";
+constexpr const char* kExitStatus =
+    "Exit status: 0 fine, 1 check found undecided errors, 2 usage, 3 bad input, 4 disk, 70 our fault.";
 
 void fill(CLI::App& root, Context& context) {
     root.description("Planum keeps the stratigraphy of a dig, says what contradicts what and why, and draws it.");
     root.set_version_flag("--version", "planum " PLANUM_VERSION);
     root.require_subcommand(1);
+    root.footer(kExitStatus); // of every command; the day stands in the first help only
     root.get_formatter()->column_width(34);
     add_project_commands(root, context);
     add_import_commands(root, context);
@@ -49,7 +52,7 @@ void fill(CLI::App& root, Context& context) {
     add_register_commands(root, context);
     add_suggest_commands(root, context);
     add_demo_commands(root, context);
-    root.footer(kFooter); // last: commands added after it would take it over
+    root.footer(std::string(kDay) + kExitStatus); // last: commands added after it would take it over
 }
 
 // CLI11 only says that a command is missing; a mistyped one deserves better.

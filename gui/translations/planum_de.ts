@@ -7229,6 +7229,14 @@ Bitte den Namen prüfen.</translation>
         <source>reading or writing the disk failed (%1): nothing was changed; see that the disk has space, is still there and allows files of this size, and try again</source>
         <translation>Lesen oder Schreiben der Platte schlug fehl (%1): nichts wurde geändert; nachsehen, ob die Platte Platz hat, noch da ist und Dateien dieser Größe erlaubt, und noch einmal versuchen</translation>
     </message>
+    <message>
+        <source>%1 is a list and not one word or number</source>
+        <translation>%1 ist eine Liste und nicht ein Wort oder eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is an object and not one word or number</source>
+        <translation>%1 ist ein Objekt und nicht ein Wort oder eine Zahl</translation>
+    </message>
 </context>
 <context>
     <name>views</name>

@@ -7223,6 +7223,14 @@ Please verify the correct directory name was given.</source>
         <source>reading or writing the disk failed (%1): nothing was changed; see that the disk has space, is still there and allows files of this size, and try again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 is a list and not one word or number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is an object and not one word or number</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>views</name>

@@ -124,6 +124,8 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("services", "%1: no registered surface before it"),
     QT_TRANSLATE_NOOP("services", "this is no GeoJSON: its type is none of %1"),
     QT_TRANSLATE_NOOP("services", "it holds no outline"),
+    QT_TRANSLATE_NOOP("services", "%1 is a list and not one word or number"),
+    QT_TRANSLATE_NOOP("services", "%1 is an object and not one word or number"),
     QT_TRANSLATE_NOOP("services",
                       "its coordinates are degrees (%1); export it in the coordinate system of the site grid"),
     QT_TRANSLATE_NOOP("services", "%1 outlined units in one area; %2 can be compared"),
