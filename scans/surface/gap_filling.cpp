@@ -43,7 +43,8 @@ double share_beyond(double a, double b, double d) {
 
 class Filler {
   public:
-    Filler(const SurfaceGrid& grid, const GapOptions& options) : grid_(grid), frame_(grid.frame), options_(options) {
+    Filler(const SurfaceGrid& grid, const GapOptions& options)
+        : grid_(grid), frame_(grid.frame), options_(options), in_hollow_(frame_.cells()), planum_(frame_.cells()) {
         const std::size_t cells = frame_.cells();
         filled_.frame = frame_;
         filled_.height.assign(cells, kUnknown);
@@ -54,8 +55,6 @@ class Filler {
         filled_.source.assign(cells, 0);
         filled_.hollow.assign(cells, 0.0F);
         filled_.laid.assign(cells, false);
-        in_hollow_.assign(cells, false);
-        in_planum_.assign(cells, false);
         for (std::size_t i = 0; i < cells; ++i) {
             filled_.source[i] = static_cast<std::uint32_t>(i);
             filled_.was_seen[i] = grid.state[i] == CellState::Surface || grid.state[i] == CellState::Disputed;
@@ -68,8 +67,10 @@ class Filler {
         for (const Overhang& overhang : find_overhangs(grid_, known.spots)) cover(overhang, floors);
         raise_fences();
         lay_floors(filled_, grid_, fence_, floors, options_.doubt);
-        for (const SpotHeight& spot : known.spots) mark(spot.hollow, in_hollow_);
-        for (const geometry::MultiPolygon& planum : known.plana) mark(planum, in_planum_);
+        for (const SpotHeight& spot : known.spots)
+            for_cells_within(frame_, spot.hollow, [&](std::size_t cell) { in_hollow_[cell] = true; });
+        for (std::size_t i = 0; i < known.plana.size(); ++i)
+            for_cells_within(frame_, known.plana[i], [&](std::size_t cell) { planum_[cell] = i + 1; });
         spread(Fences::Closed);
         relax();
         lay_fences();
@@ -176,18 +177,18 @@ class Filler {
     /// Whether ground of that height can be continued into a cell without rising above the lines of sight over it.
     [[nodiscard]] bool admits(std::size_t cell, float height) const { return !(height > ceiling(cell) + kOnSightLine); }
 
-    void mark(const geometry::MultiPolygon& outline, std::vector<bool>& inside) const {
-        for_cells_within(frame_, outline, [&](std::size_t cell) { inside[cell] = true; });
-    }
-
     /// Whether nobody saw a cell outside the hollows, and `from` took its height from the floor of one: that floor ends
     /// at the outline, wherever the gap does.
     [[nodiscard]] bool lies_beside_hollow(std::size_t cell, std::size_t from) const {
         return !in_hollow_[cell] && !filled_.was_seen[cell] && filled_.laid[filled_.source[from]];
     }
 
+    [[nodiscard]] bool is_level_with(std::size_t cell, std::size_t source) const {
+        return planum_[cell] != 0 && planum_[cell] == planum_[source];
+    }
+
     [[nodiscard]] float most_doubt(std::size_t cell, float sigma) const {
-        return in_planum_[cell] ? std::min(sigma, options_.planum_doubt) : sigma;
+        return is_level_with(cell, filled_.source[cell]) ? std::min(sigma, options_.planum_doubt) : sigma;
     }
 
     // What lies in a shadow is somewhere between the line of sight over it and the ground it was continued from.
@@ -196,8 +197,8 @@ class Filler {
             const float most = ceiling(cell);
             if (std::isnan(most) || std::isnan(filled_.height[cell])) continue;
             filled_.height[cell] = std::min(filled_.height[cell], most + kOnSightLine);
-            const float hidden = std::max(0.0F, most - filled_.height[cell]);
-            filled_.shadow_sigma[cell] = most_doubt(cell, hidden * options_.shadow_doubt);
+            filled_.shadow_sigma[cell] =
+                most_doubt(cell, std::max(0.0F, most - filled_.height[cell]) * options_.shadow_doubt);
         }
     }
 
@@ -212,7 +213,7 @@ class Filler {
             if (hints_hold_ && (!admits(cell, filled_.height[source]) || lies_beside_hollow(cell, source))) return;
             const double distance = std::hypot(row - from.from_row, column - from.from_column);
             const double before = static_cast<double>(filled_.distance[source]) / frame_.cell;
-            if (before + distance <= most || in_planum_[cell])
+            if (before + distance <= most || is_level_with(cell, filled_.source[source]))
                 waiting.push({distance, cell, from.from_row, from.from_column});
         };
         for (std::size_t cell = 0; cell < frame_.cells(); ++cell) {
@@ -382,9 +383,9 @@ class Filler {
     std::vector<bool> fence_;
     std::vector<bool> shows_side_; // faces with points between the ground on both sides
     std::vector<std::size_t> gaps_;
-    std::vector<bool> in_hollow_; // inside the outlines that come with spot heights
-    std::vector<bool> in_planum_;
-    bool hints_hold_ = true; // what lines of sight and outlines of hollows say
+    std::vector<bool> in_hollow_;     // inside the outlines that come with spot heights
+    std::vector<std::size_t> planum_; // position of its outline among those of plana, from 1; 0: on none
+    bool hints_hold_ = true;          // what lines of sight and outlines of hollows say
 };
 
 } // namespace

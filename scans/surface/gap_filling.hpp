@@ -59,9 +59,10 @@ struct FilledHeights {
 /// that is no higher is continued. Where a side is several cells wide, its cells lie where their points do.
 ///
 /// Where no scanner looked into a hollow, spot heights say how deep it is (lay_floors()). That floor ends at its
-/// outline: what nobody saw beside it is continued from other ground, where there is any. Within a planum ground is
-/// continued without `reach`: who drew its outline saw it level behind every baulk. Under the sides of a pit that
-/// widens downwards (find_overhangs()) ground lies as high as around; what is hollow there is told beside the heights.
+/// outline: what nobody saw beside it is continued from other ground, where there is any. Ground seen within a planum
+/// is continued as far as its outline goes, without `reach`: who drew it saw it level behind every baulk. Under the
+/// sides of a pit that widens downwards (find_overhangs()) ground lies as high as around; what is hollow there is told
+/// beside the heights.
 [[nodiscard]] FilledHeights fill_gaps(const SurfaceGrid& grid, const GapOptions& options = {},
                                       const KnownGround& known = {});
 

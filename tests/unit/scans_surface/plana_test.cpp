@@ -75,6 +75,23 @@ TEST_CASE("What was filled in on a planum is no more uncertain than plana are le
     CHECK(without.sigma[grid.frame.at(15, 80)] > options.planum_doubt);
 }
 
+TEST_CASE("A planum of which nobody saw anything is not made up from the ground above it") {
+    SurfaceGrid grid = trench_behind_a_baulk();
+    for (std::int32_t row = 0; row < kRows; ++row) {
+        for (std::int32_t column = 0; column < kColumns; ++column) {
+            if (is_dug(row, column)) grid.state[grid.frame.at(row, column)] = CellState::Unseen;
+        }
+    }
+    GapOptions options;
+    options.doubt = 1.0; // so that the middle of the trench is more uncertain than a planum
+    const FilledHeights without = fill_gaps(grid, options);
+    const FilledHeights with = fill_gaps(grid, options, {.spots = {}, .plana = {outline_of_planum()}});
+    REQUIRE(without.sigma[grid.frame.at(15, 75)] > options.planum_doubt);
+    CHECK(with.height == without.height);
+    CHECK(with.sigma == without.sigma);
+    CHECK(with.shadow_sigma == without.shadow_sigma);
+}
+
 TEST_CASE("A planum's outline with too few points says nothing") {
     const SurfaceGrid grid = trench_behind_a_baulk();
     const FilledHeights without = fill_gaps(grid);
