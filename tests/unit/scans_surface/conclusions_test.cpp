@@ -29,6 +29,58 @@ TEST_CASE("Small digs: nothing is proposed the wrong way round, whatever the met
 
 namespace {
 
+// On one surface after the other: 2 m² of unit 0 went, of which so many cells came off the cut 1, the rest off 2.
+std::vector<scans::Conclusion> taken_off_cut(std::int64_t off_cut, std::int64_t bare_before) {
+    constexpr std::int64_t kAll = 5000;
+    scans::AreaHistory history;
+    history.methods = {model::DigMethod::Stratigraphic, model::DigMethod::Stratigraphic};
+    scans::SurfaceSummary upper;
+    upper.showings = {{0, kAll, 0, 0, 0, 10.0, 6.0, 0.0}};
+    if (bare_before > 0) upper.showings.push_back({1, bare_before, 0, bare_before, 0, 9.7, 2.0, 0.0});
+    scans::SurfaceSummary lower;
+    lower.showings = {{1, off_cut, 0, off_cut, 0, 9.7, 6.0, 0.0}};
+    scans::SurfaceStep step;
+    const auto add = [&](scans::UnitNumber then, std::int64_t cells) {
+        if (cells == 0) return;
+        scans::Succession s;
+        s.first = 0;
+        s.then = then;
+        s.cells = s.lower = cells;
+        s.drop = 0.3;
+        s.tolerance = 0.02;
+        step.successions.push_back(s);
+    };
+    add(1, off_cut);
+    add(2, kAll - off_cut);
+    history.summaries = {upper, lower};
+    history.steps = {step};
+    history.hides_somewhere = {false};
+    return scans::conclude(history,
+                           std::vector<scans::KnownUnit>{{{}, model::UnitKind::Unknown, model::UnitForm::None},
+                                                         {{}, model::UnitKind::Cut, model::UnitForm::None},
+                                                         {{}, model::UnitKind::Unknown, model::UnitForm::None}});
+}
+
+} // namespace
+
+TEST_CASE("What nearly all lay in a cut is later than it whatever it is; what went on beside it may be its roof") {
+    const auto inside = taken_off_cut(5000, 0);
+    REQUIRE(inside.size() == 1);
+    CHECK_FALSE(inside[0].is_question);
+    CHECK(inside[0].kind == model::RelationKind::Later);
+    CHECK((inside[0].unit == 0 && inside[0].other == 1));
+    const auto about_cut = [](const std::vector<scans::Conclusion>& all) {
+        for (const scans::Conclusion& c : all) {
+            if (c.other == 1) return c.is_question;
+        }
+        return false;
+    };
+    CHECK(about_cut(taken_off_cut(2500, 0)));   // half of it lay beside
+    CHECK(about_cut(taken_off_cut(5000, 600))); // the cut was emptied first
+}
+
+namespace {
+
 // On levels, layer 1 lay bare inside layer 0; then it came out under 27 m² of it, of which so many cells are left.
 std::vector<scans::Conclusion> spot_that_grew(std::int64_t left) {
     scans::AreaHistory history;
