@@ -9,18 +9,11 @@
 
 namespace planum::app {
 
-std::string astray_remark(double distance) {
-    return fmt::format(
-        "it reaches {} away from all set-ups of the scanner: plans leave it out and nothing is concluded "
-        "from it; is it in other coordinates than the site?",
-        model::far_words(distance));
-}
-
 std::vector<std::string> outline_remarks(const model::Record& record, const model::RecordIndex& index,
                                          const model::Region& wished) {
     std::vector<std::string> said;
     const model::ScannedBox scanned(record);
-    if (scanned.is_astray(wished)) said.push_back(astray_remark(scanned.distance(wished)));
+    if (scanned.is_astray(wished)) said.push_back("it " + model::astray_words(scanned.distance(wished)));
     const model::Section* section = section_of(record, wished);
     std::vector<const model::Region*> regions =
         section == nullptr ? regions_on(record, wished.surface) : regions_on(record, wished.section);

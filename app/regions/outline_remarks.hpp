@@ -13,7 +13,4 @@ namespace planum::app {
 [[nodiscard]] std::vector<std::string> outline_remarks(const model::Record& record, const model::RecordIndex& index,
                                                        const model::Region& wished);
 
-/// `it reaches 6513 km away from …`.
-[[nodiscard]] std::string astray_remark(double distance);
-
 } // namespace planum::app

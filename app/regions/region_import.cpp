@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "app/regions/outline_files.hpp"
-#include "app/regions/outline_remarks.hpp"
 #include "app/regions/region_draft.hpp"
 #include "app/regions/region_layout.hpp"
 #include "app/regions/region_match.hpp"
@@ -254,7 +253,7 @@ class Importer {
         for (const model::Region& region : draft_.record().regions) {
             if (!is_in(matched_, region.id) || !scanned.is_astray(region)) continue;
             report_.notes.push_back(
-                {region_name(draft_.record(), index, region), astray_remark(scanned.distance(region))});
+                {region_name(draft_.record(), index, region), "it " + model::astray_words(scanned.distance(region))});
         }
     }
 

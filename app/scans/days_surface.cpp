@@ -59,10 +59,6 @@ void require_day(std::string_view option, std::string_view text) {
     throw Error(ErrorCode::Usage, fmt::format("{} {}: not a day of the calendar as 2025-06-01", option, text));
 }
 
-const std::string& last_day_of(const model::Surface& surface) noexcept {
-    return surface.last_day.empty() ? surface.first_day : surface.last_day;
-}
-
 bool holds_day(const model::Surface& surface, std::string_view day) noexcept {
     return surface.first_day <= day && day <= last_day_of(surface);
 }

@@ -15,9 +15,6 @@ namespace planum::app {
 /// Throws Usage, naming the option, when the text is no day of the calendar.
 void require_day(std::string_view option, std::string_view text);
 
-/// The last day of a surface; its only one where none is given.
-[[nodiscard]] const std::string& last_day_of(const model::Surface& surface) noexcept;
-
 /// Whether a day falls into those of a surface.
 [[nodiscard]] bool holds_day(const model::Surface& surface, std::string_view day) noexcept;
 

@@ -16,8 +16,10 @@ constexpr std::array<std::size_t, 2> kXY = {3, 7}; // of a set-up, in a row-majo
 
 } // namespace
 
-std::string far_words(double distance) {
-    return distance < 1e4 ? fmt::format("{:.0f} m", distance) : fmt::format("{:.0f} km", distance * 1e-3);
+std::string astray_words(double distance) {
+    return fmt::format("reaches {:.0f} {} away from all set-ups of the scanner: plans leave it out and nothing is "
+                       "concluded from it; is it in other coordinates than the site?",
+                       distance < 1e4 ? distance : distance * 1e-3, distance < 1e4 ? "m" : "km");
 }
 
 ScannedBox::ScannedBox(const Record& record) : low_{kNone, kNone}, high_{-kNone, -kNone} {

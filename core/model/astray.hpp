@@ -11,8 +11,8 @@ namespace planum::model {
 /// Scanners reach some ten metres over a trench; an outline farther from all their set-ups is a slip of coordinates.
 inline constexpr double kFarthestOutline = 100.0; // [m]
 
-/// `640 m` or `6513 km`.
-[[nodiscard]] std::string far_words(double distance);
+/// What is said of an outline that is so far away: `reaches 6513 km away from …`.
+[[nodiscard]] std::string astray_words(double distance);
 
 /// The box around all set-ups of the scans that are placed, in plan of the site.
 class ScannedBox {

@@ -38,6 +38,10 @@ constexpr std::array kCategoryWords = {
 
 } // namespace
 
+const std::string& last_day_of(const Surface& surface) noexcept {
+    return surface.last_day.empty() ? surface.first_day : surface.last_day;
+}
+
 std::string_view to_word(DigMethod method) noexcept { return detail::word_of(kMethodWords, method); }
 
 std::string_view to_word(RegionShows shows) noexcept { return detail::word_of(kShowsWords, shows); }

@@ -40,6 +40,9 @@ struct Surface {
     friend bool operator==(const Surface&, const Surface&) = default;
 };
 
+/// The last day of a surface; its only one where none is given.
+[[nodiscard]] const std::string& last_day_of(const Surface& surface) noexcept;
+
 /// A vertical plane through two surveyed points of the site grid [m].
 struct Section {
     SectionId id;

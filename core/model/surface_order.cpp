@@ -2,19 +2,14 @@
 #include "core/model/surface_order.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace planum::model {
 
 namespace {
 
-const std::string& last_day(const Surface& surface) {
-    return surface.last_day.empty() ? surface.first_day : surface.last_day;
-}
-
 bool clash(const Surface& a, const Surface& b) {
     return a.area == b.area && a.order < b.order && !a.first_day.empty() && !b.first_day.empty() &&
-           a.first_day > b.first_day && last_day(a) > last_day(b);
+           a.first_day > b.first_day && last_day_of(a) > last_day_of(b);
 }
 
 } // namespace

@@ -63,13 +63,10 @@ void add_astray(const CheckContext& context, Findings& findings) {
     for (const model::Region& region : context.record.regions) {
         if (!scanned.is_astray(region)) continue;
         const double distance = scanned.distance(region);
-        auto d = make_diagnostic(
-            model::Severity::Warning, "region-astray",
-            fmt::format(
-                "the outline of {} {}{} reaches {} away from all set-ups of the scanner: plans leave it out and "
-                "nothing is concluded from it; is it in other coordinates than the site?",
-                drawn_as(context, region), where_drawn(context.record, region), near_what(region),
-                model::far_words(distance)));
+        auto d = make_diagnostic(model::Severity::Warning, "region-astray",
+                                 fmt::format("the outline of {} {}{} {}", drawn_as(context, region),
+                                             where_drawn(context.record, region), near_what(region),
+                                             model::astray_words(distance)));
         if (context.index.find(region.unit) != model::kNoUnit) d.units = {region.unit};
         d.evidence["region"] = region.id.to_string();
         d.evidence["distance_m"] = distance;
