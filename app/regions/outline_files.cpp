@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/regions/geojson_outlines.hpp"
@@ -41,7 +42,8 @@ OutlineFile read_outline_files(Project& project, const std::vector<std::filesyst
             std::move(one.outlines.begin(), one.outlines.end(), std::back_inserter(all.outlines));
             std::move(one.notes.begin(), one.notes.end(), std::back_inserter(all.notes));
         } catch (Error& e) {
-            e.add_context(name);
+            // A file that cannot be opened is named already.
+            if (!std::string_view(e.what()).starts_with(file.string())) e.add_context(name);
             throw;
         }
     }
